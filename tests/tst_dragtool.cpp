@@ -367,6 +367,129 @@ private Q_SLOTS:
         QCOMPARE(document().undoStack().count(), entries);
     }
 
+    void aPulledMapTears_data()
+    {
+        QTest::addColumn<SelectionMode>("mode");
+        QTest::addColumn<Vec2>("from");
+        QTest::addColumn<Vec2>("held"); // not yet torn there
+        QTest::addColumn<Vec2>("torn");
+        QTest::newRow("border vertex, outwards")
+            << SelectionMode::Vertices << Vec2(0.5, 1) << Vec2(0.5, 1.4) << Vec2(0.5, 1.9);
+        QTest::newRow("inner vertex, sideways")
+            << SelectionMode::Vertices << Vec2(0.5, 0.5) << Vec2(0.6, 0.5) << Vec2(0.95, 0.5);
+        QTest::newRow("face") << SelectionMode::Faces << Vec2(0.56, 0.94) << Vec2(0.56, 1.3)
+                              << Vec2(0.56, 2.1);
+    }
+
+    //! Paper, "tear-up gesture", on a definite map.
+    void aPulledMapTears()
+    {
+        QFETCH(const SelectionMode, mode);
+        QFETCH(const Vec2, from);
+        QFETCH(const Vec2, held);
+        QFETCH(const Vec2, torn);
+        openOneIsland();
+        mStudio->select(mode);
+        setRadius(0.3);
+        const DocumentState before = test::withoutSelection(document().state());
+        drag(from, held);
+        QCOMPARE(document().islands().count(), 1);
+        document().undoStack().undo();
+        drag(from, torn);
+        QCOMPARE(document().undoStack().count(), 1);
+        QVERIFY(document().undoStack().text(0).startsWith(u"Tear "_s));
+        QCOMPARE(document().islands().count(), 2);
+        QVERIFY(smallestArea() > 0);
+        // What came off keeps its shape and is where the mouse is.
+        const UvMatrix ways = document().uv() - before.scene.uvSets[0].uv;
+        const Row way = (torn - from).transpose();
+        for (int c = 0; c < ways.rows(); ++c)
+            QVERIFY(ways.row(c).norm() < 1e-9 || (ways.row(c) - way).norm() < 0.02);
+        QVERIFY(std::count(document().seams().states.begin(), document().seams().states.end(),
+                           PairState::Cut) >= 4);
+        QCOMPARE(document().validate(), QString());
+        const DocumentState after = test::withoutSelection(document().state());
+        document().undoStack().undo();
+        QVERIFY(test::withoutSelection(document().state()) == before);
+        document().undoStack().redo();
+        QVERIFY(test::withoutSelection(document().state()) == after);
+    }
+
+    void beforeItTearsTheToolSaysSo()
+    {
+        openOneIsland();
+        setRadius(0.3);
+        const DocumentState before = document().state();
+        const QPoint start = pixel({0.5, 1});
+        QTest::mousePress(&view(), Qt::LeftButton, {}, start);
+        const auto hintAt = [&](int pixels) {
+            Canvases::moveMouse(view(), start - QPoint(0, pixels), Qt::LeftButton);
+            return tool().hint();
+        };
+        const QString calm = hintAt(20);
+        QVERIFY(hintAt(80).startsWith(u"Pull further"_s));
+        QCOMPARE(hintAt(20), calm);
+        QVERIFY(hintAt(190).startsWith(u"Torn off"_s));
+        QString said;
+        connect(&tool(), &AbstractTool::hintChanged, &tool(), [&] { said = tool().hint(); });
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        QCOMPARE(said, calm);
+        QVERIFY(document().state() == before);
+        QCOMPARE(document().undoStack().count(), 0);
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, start - QPoint(0, 190));
+        QVERIFY(document().state() == before);
+    }
+
+    void joinedEdgesDoNotTear()
+    {
+        openOneIsland();
+        setRadius(0.3);
+        IndexRanges all;
+        all.append(IndexRange{0, document().mesh().cornerPairCount()});
+        pushCommand(std::make_unique<SetSeamState>(document(), SetSeamState::Edit::Join, all));
+        drag({0.5, 0.5}, {0.95, 0.5});
+        QCOMPARE(document().islands().count(), 1);
+        QVERIFY(smallestArea() > 0);
+    }
+
+    void theDefiniteMapOfASolveTears()
+    {
+        openOneIsland(test::grid(24, 0.6));
+        setRadius(0.2);
+        mStudio->solver.setMode(SolveMode::Budget);
+        mStudio->solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return mStudio->shown.isLive(); }, test::patience));
+        const int entries = document().undoStack().count();
+        const int soup = soupAt({0.5, 1});
+        const QPoint start = pixel(mStudio->shown.uv().row(soup).transpose());
+        const auto isTorn = [&] {
+            const std::vector<PairState> &states = document().seams().states;
+            return std::count(states.begin(), states.end(), PairState::Cut) > 0;
+        };
+        QTest::mousePress(&view(), Qt::LeftButton, {}, start);
+        int steps = 0;
+        for (; steps < 40 && !isTorn(); ++steps) {
+            const auto before = mStudio->solver.map();
+            Canvases::moveMouse(view(), start - QPoint(0, 8 * (steps + 1)), Qt::LeftButton);
+            QVERIFY(QTest::qWaitFor([&] { return mStudio->solver.map() != before; }, test::patience));
+            const metrics::UvMetrics figures =
+                metrics::measureUv(document().mesh(), mStudio->solver.map()->uv);
+            QCOMPARE(figures.flipped, 0);
+            QCOMPARE(figures.overlapPairs, 0);
+        }
+        QVERIFY(steps > 2 && steps < 40);
+        const QPoint end = start - QPoint(0, 8 * steps);
+        QTRY_COMPARE_WITH_TIMEOUT(mStudio->solver.map()->islands, 2, test::patience);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (pixel(mStudio->shown.uv().row(soup).transpose()) - end).manhattanLength() < 12, test::patience);
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        QVERIFY(!isTorn());
+        QCOMPARE(document().undoStack().count(), entries);
+        QTRY_COMPARE_WITH_TIMEOUT(mStudio->solver.map()->islands, 1, test::patience);
+        QVERIFY(mStudio->solver.isRunning());
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
+    }
+
     //! The triangles of a large mesh are not in the order of its faces.
     void handlesRiseInLargeMeshes()
     {

@@ -80,11 +80,11 @@ private Q_SLOTS:
         });
         studio.press(Qt::Key_Space);
         QVERIFY(QTest::qWaitFor([&] { return seen > 3; }, test::patience));
-        QTest::qWait(2000); // a bounded look, nothing is waited for
+        QTest::qWait(10'000); // a bounded look, nothing is waited for
         studio.action("uv.restart")->trigger();
         const int before = seen;
         QVERIFY(QTest::qWaitFor([&] { return seen > before + 3; }, test::patience));
-        QTest::qWait(2000);
+        QTest::qWait(10'000);
         QVERIFY2(problems.isEmpty(), qPrintable(problems.join(u'\n')));
         studio.context.solver.pause();
         QVERIFY(studio.solverRests());

@@ -1,10 +1,13 @@
 // What cannot be done says why: keys, entries of menus, buttons of panels, the search for actions.
+#include "support/editsupport.h"
+#include "support/meshbuilders.h"
 #include "support/studiosession.h"
 #include "views/actions/actionpalette.h"
 #include "views/canvas/uvview.h"
 #include "views/shell/statusbar.h"
 
 #include <QAbstractButton>
+#include <QDialog>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -92,6 +95,33 @@ private Q_SLOTS:
                     silent << dock->objectName() + u'/' + button->objectName();
             }
         }
+        QCOMPARE(silent.join(u", "_s), QString());
+    }
+
+    //! Each button of each dialog that an action opens, on all pages.
+    void disabledButtonsOfDialogsSayWhy()
+    {
+        StudioSession studio;
+        studio.context.workspace.open(test::layoutDocument(test::sphere(8, 10)), {});
+        QStringList silent;
+        int dialogs = 0, disabled = 0;
+        studio.answers->onDialog = [&](QDialog &dialog) {
+            ++dialogs;
+            for (const QAbstractButton *button : dialog.findChildren<QAbstractButton *>()) {
+                if (button->isEnabled() || !button->parentWidget()->isEnabled())
+                    continue;
+                ++disabled;
+                if (button->property("autocutsWhyDisabled").toString().isEmpty())
+                    silent << dialog.windowTitle() + u'/' + button->text() + button->objectName();
+            }
+            return int(QDialog::Rejected);
+        };
+        for (QAction *action : studio.context.actions.actions()) {
+            if (action->text().endsWith(u"..."_s) && action->isEnabled())
+                action->trigger();
+        }
+        QVERIFY2(dialogs > 8, qPrintable(QString::number(dialogs)));
+        QVERIFY2(disabled > 5, qPrintable(QString::number(disabled)));
         QCOMPARE(silent.join(u", "_s), QString());
     }
 

@@ -4,6 +4,7 @@
 #include "commands/setuvs.h"
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
+#include "support/mapedits.h"
 #include "support/patience.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -305,6 +306,77 @@ private Q_SLOTS:
         const UvMetrics metrics = measureUv(studio.document().mesh(), studio.document().uv());
         QCOMPARE(metrics.flipped, 0);
         QCOMPARE(metrics.facesWithoutUv, 0);
+    }
+
+    //! A cut of a single edge inside an island is no seam of the live map, nor of the one that a pause
+    //! leaves.
+    void aCutThatOpensNothingIsShownClosed()
+    {
+        Studio studio;
+        Scene scene;
+        scene.mesh = test::grid(6, 0.3);
+        studio.workspace.open(std::make_unique<Document>(std::move(scene)), {});
+        const MeshData &mesh = studio.document().mesh();
+        const std::vector<int> inner = test::edgesWhere(mesh, [](const Vec3 &a, const Vec3 &b) {
+            const auto inside = [](const Vec3 &p) {
+                return p.x() > 0.4 && p.x() < 0.7 && p.y() > 0.3 && p.y() < 0.7;
+            };
+            return inside(a) && inside(b);
+        });
+        QVERIFY(!inner.empty());
+        const int slit = inner.front();
+        const std::vector<int> edges{slit};
+        QVERIFY(pushCommand(std::make_unique<SetSeamState>(studio.document(), SetSeamState::Edit::Cut,
+                                                           cornerPairsOfEdges(mesh, edges))));
+        studio.solver.setMode(SolveMode::Budget);
+        studio.solver.run();
+        int seen = 0, open = 0;
+        connect(&studio.shown, &ShownMap::changed, &studio.solver, [&] {
+            seen += studio.shown.isLive();
+            open += studio.shown.isLive() && studio.shown.isSeam(slit);
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), test::patience);
+        QVERIFY(seen > 0);
+        QCOMPARE(open, 0);
+        QVERIFY(studio.solver.map()->cut[slit]);
+        QVERIFY(!studio.shown.isSeam(slit));
+    }
+
+    void missingSymmetryIsSaidAtThePause_data()
+    {
+        QTest::addColumn<bool>("some");
+        QTest::newRow("none") << false;
+        QTest::newRow("of most of the surface") << true;
+    }
+
+    void missingSymmetryIsSaidAtThePause()
+    {
+        QFETCH(const bool, some);
+        Studio studio("character");
+        Scene scene = makeSample(QStringLiteral("character")).value();
+        const MeshData &exact = *scene.mesh;
+        PositionMatrix positions = exact.positions;
+        for (Eigen::Index v = 0; v < positions.rows(); ++v) {
+            auto p = positions.row(v);
+            if (!some)
+                p.x() += 0.3 * p.y() + 0.2 * p.z() * p.z();
+            else if (p.x() > 0 && p.y() > 1.75)
+                p.z() += 0.2;
+        }
+        scene.mesh = MeshData::build(positions, exact.faceStart, exact.cornerVertex, exact.faceObject);
+        DocumentState state = DocumentState::initial(std::move(scene));
+        state.solveSettings.symmetry = true;
+        state.solveSettings.maxDistortion = 8; // soon met
+        studio.workspace.open(Document::create(std::move(state)).value(), {});
+        studio.solver.setMode(SolveMode::Budget);
+        QSignalSpy problems(&studio.solver, &SolverController::foundProblems);
+        studio.solver.run();
+        QTRY_VERIFY_WITH_TIMEOUT(studio.solver.map() && studio.solver.map()->withinBound, test::patience);
+        QVERIFY(studio.settles());
+        QCOMPARE(problems.count(), 1);
+        const QString said = problems.first().first().toString();
+        QVERIFY2(said.contains(some ? QStringLiteral("no mirror image") : QStringLiteral("not symmetric")),
+                 qPrintable(said));
     }
 };
 

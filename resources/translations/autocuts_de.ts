@@ -3486,6 +3486,14 @@
         <source>Finish selection</source>
         <translation>Auswahl fertigstellen</translation>
     </message>
+    <message>
+        <source>Tear %n edge</source>
+        <translation>%n Kante aufreißen</translation>
+    </message>
+    <message>
+        <source>Tear %n edges</source>
+        <translation>%n Kanten aufreißen</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::AboutDialog</name>
@@ -3874,6 +3882,18 @@
     <message>
         <source>There is no such cage.</source>
         <translation>Diesen Käfig gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The cage file says how far rays go</source>
+        <translation>Die Käfig-Datei sagt, wie weit Strahlen reichen</translation>
+    </message>
+    <message>
+        <source>Only measured for a model in a file</source>
+        <translation>Wird nur für ein Modell in einer Datei gemessen</translation>
+    </message>
+    <message>
+        <source>Choose a detailed model first</source>
+        <translation>Zuerst ein detailliertes Modell wählen</translation>
     </message>
 </context>
 <context>
@@ -4437,6 +4457,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source> px</source>
         <translation> px</translation>
     </message>
+    <message>
+        <source>Torn off: what was in the circle moves alone; Escape: cancel</source>
+        <translation>Abgerissen: Was im Kreis war, bewegt sich allein; Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>Pull further: what is in the circle tears off; Shift+wheel: circle, Escape: cancel</source>
+        <translation>Weiter ziehen: Was im Kreis liegt, reißt ab; Umschalt+Mausrad: Kreis, Esc: abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::EditActions</name>
@@ -4582,6 +4610,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>The suffix must be .png or .svg.</source>
         <translation>Die Endung muss .png oder .svg sein.</translation>
+    </message>
+    <message>
+        <source>Tick the box beside it first</source>
+        <translation>Zuerst das Kästchen daneben ankreuzen</translation>
     </message>
 </context>
 <context>
@@ -5204,6 +5236,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>The light of a material is a number, or red, green, blue.</source>
         <translation>Das Licht eines Materials ist eine Zahl oder Rot, Grün, Blau.</translation>
     </message>
+    <message>
+        <source>There is no area light</source>
+        <translation>Es gibt kein Flächenlicht</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::LayoutPanel</name>
@@ -5525,6 +5561,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>D&amp;ilation:</source>
         <translation>R&amp;and:</translation>
+    </message>
+    <message>
+        <source>This kind of sky has no such colour</source>
+        <translation>Diese Art von Himmel hat keine solche Farbe</translation>
     </message>
 </context>
 <context>
@@ -6167,16 +6207,20 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Licht wird gebacken</translation>
     </message>
     <message>
-        <source>%1. The mesh is not symmetric: nor are the cuts</source>
-        <translation>%1. Das Modell ist nicht symmetrisch, die Schnitte daher auch nicht</translation>
-    </message>
-    <message>
         <source>%1. Hidden faces stay as they were</source>
         <translation>%1. Ausgeblendete Flächen bleiben, wie sie waren</translation>
     </message>
     <message>
-        <source>%1. %2 % of the surface have no mirror image: their cuts are free</source>
-        <translation>%1. %2 % der Oberfläche haben kein Spiegelbild: Ihre Schnitte sind frei</translation>
+        <source>The mesh is not symmetric: nor are the cuts</source>
+        <translation>Das Modell ist nicht symmetrisch, die Schnitte daher auch nicht</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface have no mirror image: their cuts are free</source>
+        <translation>%1 % der Oberfläche haben kein Spiegelbild: Ihre Schnitte sind frei</translation>
+    </message>
+    <message>
+        <source>, %1 % of the seams symmetric</source>
+        <translation>, %1 % der Nähte symmetrisch</translation>
     </message>
     <message>
         <source>the cage has other faces than the model</source>
@@ -8069,6 +8113,22 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>%1 is the key of: %2</source>
         <translation>%1 ist die Taste von: %2</translation>
     </message>
+    <message>
+        <source>Choose an action first</source>
+        <translation>Zuerst eine Aktion wählen</translation>
+    </message>
+    <message>
+        <source>It has no shortcut</source>
+        <translation>Sie hat kein Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>It has the shortcut that it came with</source>
+        <translation>Sie hat das Tastenkürzel, mit dem sie kam</translation>
+    </message>
+    <message>
+        <source>No shortcut was changed</source>
+        <translation>Kein Tastenkürzel wurde geändert</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::SolverController</name>
@@ -8913,6 +8973,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>There is no such file.</source>
         <translation>Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Select faces first</source>
+        <translation>Zuerst Flächen auswählen</translation>
     </message>
 </context>
 <context>

@@ -60,6 +60,7 @@ protected:
     // For commands that consist of other commands.
     static void applyPart(DocumentCommand &part) { part.apply(); }
     static void revertPart(DocumentCommand &part) { part.revert(); }
+    static bool absorbPart(DocumentCommand &part, const DocumentCommand &newer) { return part.absorb(newer); }
     static void compactPart(DocumentCommand &part) { part.compact(); }
     static qint64 bytesOfPart(const DocumentCommand &part) { return part.payloadBytes(); }
     static void clearPart(DocumentCommand &part) { part.clearPayload(); }

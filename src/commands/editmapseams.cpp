@@ -42,7 +42,7 @@ std::unique_ptr<EditMapSeams> EditMapSeams::make(Document &document, Edit edit, 
     UvEditExtras extras;
     extras.pins = movedPins(document, uv);
     auto states =
-        edit == Edit::Rip
+        edit != Edit::Stitch
             ? std::make_unique<SetSeamState>(document, SetSeamState::Edit::Cut,
                                              cornerPairsOfEdges(document.mesh(), edges))
             : std::make_unique<SetSeamState>(document, SetSeamState::Edit::Clear, cutPairs(document, edges));
@@ -68,8 +68,17 @@ void EditMapSeams::revert()
     revertPart(*mUvs);
 }
 
+bool EditMapSeams::absorb(const DocumentCommand &newer)
+{
+    const auto &other = static_cast<const EditMapSeams &>(newer);
+    return other.mEdit == mEdit && absorbPart(*mUvs, *other.mUvs) && absorbPart(*mStates, *other.mStates);
+}
+
 QString EditMapSeams::label() const
 {
+    if (mEdit == Edit::Tear)
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Tear %n edge"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Tear %n edges"), mCount);
     if (mEdit == Edit::Rip)
         return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Rip %n edge"),
                            QT_TRANSLATE_NOOP("Undo Commands", "Rip %n edges"), mCount);
@@ -99,7 +108,7 @@ void EditMapSeams::writePayload(QCborMap &map) const
 
 Result<std::unique_ptr<DocumentCommand>> EditMapSeams::fromCbor(Document &document, CborReader &reader)
 {
-    const Edit edit = reader.enumerator("edit"_L1, Edit::Stitch);
+    const Edit edit = reader.enumerator("edit"_L1, Edit::Tear);
     const int count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));
     CborReader uvReader(reader.map("uvs"_L1)), stateReader(reader.map("states"_L1));
     if (reader.failed())

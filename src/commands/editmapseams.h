@@ -1,4 +1,4 @@
-// The command that rips a map along edges and stitches its seams, without a solve.
+// The command that rips or tears a map along edges and stitches its seams, without a solve.
 #pragma once
 
 #include "commands/setseamstate.h"
@@ -6,16 +6,17 @@
 
 namespace autocuts {
 
-//! Puts a map that was ripped or stitched into the document together with the seam states that make later
-//! solves keep it. Ripped edges are cut; stitched edges that were cut become free. Pins move with their
-//! corners. Changes UVs, pins and seam states as one entry.
+//! Puts a map that was ripped, torn or stitched into the document together with the seam states that make
+//! later solves keep it. Ripped and torn edges are cut; stitched edges that were cut become free. Pins move
+//! with their corners. Changes UVs, pins and seam states as one entry. Those of one drag merge.
 class EditMapSeams final : public DocumentCommand
 {
 public:
-    enum class Edit { Rip, Stitch };
+    //! Stored in journals: add new values at the end.
+    enum class Edit { Rip, Stitch, Tear };
 
     //! \param uv the new UVs in texture space, one row per corner
-    //! \param edges the edge pairs that were ripped or stitched
+    //! \param edges the edge pairs that were ripped, torn or stitched
     static std::unique_ptr<EditMapSeams> make(Document &document, Edit edit, const UvMatrix &uv,
                                               std::span<const int> edges);
 
@@ -29,6 +30,7 @@ public:
 protected:
     void apply() override;
     void revert() override;
+    bool absorb(const DocumentCommand &newer) override;
     void writePayload(QCborMap &map) const override;
     QString label() const override;
     qint64 payloadBytes() const override { return bytesOfPart(*mUvs) + bytesOfPart(*mStates); }

@@ -37,9 +37,10 @@ double rateOf(test::StudioSession &studio, double seconds)
     QTimer mover;
     int moves = 0;
     QObject::connect(&mover, &QTimer::timeout, [&] {
-        UvMatrix uv = shown.uv();
-        uv.array() += moves++ % 2 == 0 ? 0.001 : -0.001;
-        shown.showMap(std::move(uv), shown.separation());
+        const auto map = studio.context.solver.map();
+        if (!map)
+            return;
+        shown.showMap(map->uv.array() + (moves++ % 2 == 0 ? 0.001 : -0.001));
     });
     mover.start(20);
     QElapsedTimer clock;

@@ -212,6 +212,11 @@ std::vector<Case> mapSeamCases()
          "Stitch 2 edges",
          {u"uv 1 set 0: 3-3"_s, u"pin 3-3"_s, u"seam 1: 64-65"_s},
          mapSeams(Edit::Stitch, 0, 0, 3)},
+        {"tear",
+         mapSeams(Edit::Tear, 3, 30, 2),
+         "Tear 2 edges",
+         {u"uv 1 set 0: 3-3"_s, u"pin 3-3"_s, u"seam 1: 60-61,64-65"_s},
+         mapSeams(Edit::Tear, 0, 30, 0)},
     };
 }
 

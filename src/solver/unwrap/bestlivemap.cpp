@@ -150,6 +150,7 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh, mOptions.dragged,
                                 mProblem.plan().rotation(PackRotation::Free));
     result->hasRoom = mPlacing.hadRoom();
+    result->mirroredArea = mProblem.mirroredArea();
     result->unmet = unmetSteering(whole, result->uv);
     if (!part.isWhole()) {
         metrics::UvMetricsOptions figures;

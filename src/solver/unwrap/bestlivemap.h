@@ -37,6 +37,9 @@ struct LiveMapResult
     double hardShare = 0;     //!< as UnwrapResult::hardShare
     bool withinBound = false; //!< of what may change
     bool hasRoom = true;      //!< false: there is no room for all islands, some may overlap
+    //! Share of the area that has a mirror image, 0 where it is not symmetric. Set when symmetric seams are
+    //! asked for.
+    std::optional<double> mirroredArea;
     UnmetSteering unmet;
 };
 

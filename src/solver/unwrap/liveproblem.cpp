@@ -39,6 +39,13 @@ void LiveProblem::reset()
     mSymmetry.reset();
 }
 
+std::optional<double> LiveProblem::mirroredArea() const
+{
+    if (!mProblem.settings.symmetry)
+        return std::nullopt;
+    return mSymmetry ? mSymmetry->matchedArea : 0;
+}
+
 bool LiveProblem::isForCoarse() const
 {
     return isLargeMesh(*mProblem.mesh) && !isSymmetric();

@@ -37,6 +37,9 @@ public:
     const straight::StraightPlan &plan() const { return mPlan; }
     //! Symmetric seams are asked for, and the part is symmetric.
     bool isSymmetric() const { return mProblem.settings.symmetry && mSymmetry; }
+    //! Share of the part's area that has a mirror image, 0 where it is not symmetric; nothing when symmetric
+    //! seams are not asked for.
+    std::optional<double> mirroredArea() const;
     //! The part is so large that a coarser mesh is searched in its place.
     bool isForCoarse() const;
 

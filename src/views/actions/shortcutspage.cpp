@@ -4,6 +4,7 @@
 #include "views/actions/actiontree.h"
 #include "views/actions/keyfield.h"
 #include "views/ui/preferences.h"
+#include "views/ui/reasons.h"
 
 #include <QGridLayout>
 #include <QHeaderView>
@@ -96,13 +97,14 @@ void ShortcutsPage::showCurrent()
         (*it)->setFont(1, font);
     }
     const QAction *const action = current();
-    for (QWidget *widget : std::initializer_list<QWidget *>{mKey, mClear, mReset})
-        widget->setEnabled(action);
+    mKey->setEnabled(action);
     mName->setText(action ? actionTitle(mActions.info(action)) : QString());
     mKey->setKeys(action ? keyText(*action) : QString());
-    mClear->setEnabled(action && !action->shortcuts().isEmpty());
-    mReset->setEnabled(action && changed.contains(action->objectName()));
-    mResetAll->setEnabled(!changed.isEmpty());
+    const QString choose = tr("Choose an action first");
+    enableOrSay(mClear, action && !action->shortcuts().isEmpty(), action ? tr("It has no shortcut") : choose);
+    enableOrSay(mReset, action && changed.contains(action->objectName()),
+                action ? tr("It has the shortcut that it came with") : choose);
+    enableOrSay(mResetAll, !changed.isEmpty(), tr("No shortcut was changed"));
     mPending = {};
     mConflict->clear();
     mTakeOver->setVisible(false);

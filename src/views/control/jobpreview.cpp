@@ -17,22 +17,23 @@ namespace autocuts {
 class JobPreview::Box final
 {
 public:
-    //! \param onlyWithinBound the document has a map, which is shown rather than one with too much stretch
-    Box(JobPreview &preview, bool onlyWithinBound) : mPreview(&preview), mOnlyWithinBound(onlyWithinBound) {}
+    //! \param hasMap the document has a map, which is shown rather than one with too much stretch, or one
+    //! that does not obey
+    Box(JobPreview &preview, bool hasMap) : mPreview(&preview), mHasMap(hasMap) {}
 
     //! Called on the job's thread.
     void put(const unwrap::UnwrapResult &map)
     {
         const std::scoped_lock lock(mMutex);
-        if (!mPreview || (mOnlyWithinBound && !map.withinBound))
+        if (!mPreview || (mHasMap && (!map.withinBound || !map.unmet.empty())))
             return;
         // One call is enough for all maps that come before it.
         if (!mMap)
             QMetaObject::invokeMethod(mPreview, &JobPreview::show, Qt::QueuedConnection);
-        mMap = {map.uv, map.cut};
+        mMap = map.uv;
     }
     //! Nothing when it was taken already.
-    std::optional<std::pair<UvMatrix, CutFlags>> take()
+    std::optional<UvMatrix> take()
     {
         const std::scoped_lock lock(mMutex);
         return std::exchange(mMap, {});
@@ -47,8 +48,8 @@ public:
 private:
     std::mutex mMutex;
     JobPreview *mPreview;
-    bool mOnlyWithinBound;
-    std::optional<std::pair<UvMatrix, CutFlags>> mMap;
+    bool mHasMap;
+    std::optional<UvMatrix> mMap;
 };
 
 JobPreview::JobPreview(Workspace &workspace, ShownMap &shownMap, QObject *parent)
@@ -86,13 +87,10 @@ void JobPreview::show()
 {
     const auto map = mBox ? mBox->take() : std::nullopt;
     const Document *document = mWorkspace.document();
-    if (!map || !document || map->first.rows() != document->mesh().cornerCount())
+    if (!map || !document || map->rows() != document->mesh().cornerCount())
         return;
-    std::vector<float> apart(document->mesh().cornerPairCount());
-    for (std::size_t p = 0; p < apart.size(); ++p)
-        apart[p] = map->second[p / 2] ? 1.f : 0.f;
     mShown = true;
-    mShownMap.showMap(soupUv(document->mesh(), map->first), std::move(apart));
+    mShownMap.showMap(*map);
 }
 
 } // namespace autocuts

@@ -109,10 +109,7 @@ void LiveDisplay::show()
     if (!hasUvs(document) && map.rows() > 0 && soup.rows() > 0)
         mView == LiveView::Map ? fitOver(map, soup) : fitOver(soup, map);
     if (mView == LiveView::Map && map.rows() > 0) {
-        std::vector<float> apart(mesh.cornerPairCount());
-        for (std::size_t p = 0; p < apart.size(); ++p)
-            apart[p] = mMap->cut[p / 2] ? 1.f : 0.f;
-        mShownMap.showMap(std::move(map), std::move(apart), std::move(soup));
+        mShownMap.showMap(mMap->uv, std::move(soup));
     } else if (mView == LiveView::Soup && soup.rows() > 0) {
         if (mPacks)
             mPacker.arrange(document.weightedMesh(), document.constraints(), document.packingSettings(),

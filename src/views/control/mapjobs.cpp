@@ -174,14 +174,25 @@ void sayStraight(bool stopped, const std::optional<bool> &straight, MapJobResult
                           : JobTexts::tr(". Stopped early: this map is not, or not wholly, straightened");
 }
 
-//! Says what of a symmetric mesh has no mirror image.
-void sayAsymmetry(const MeshData &mesh, MapJobResult &result)
+QString asymmetryText(double mirrored)
+{
+    constexpr double nearlyAll = 0.999;
+    if (mirrored == 0)
+        return JobTexts::tr("The mesh is not symmetric: nor are the cuts");
+    return mirrored >= nearlyAll
+               ? QString()
+               : JobTexts::tr("%1 % of the surface have no mirror image: their cuts are free")
+                     .arg(100 * (1 - mirrored), 0, 'f', 1);
+}
+
+//! Says how symmetric the seams are, and what has no mirror image. \param share of the seams' length
+void saySymmetry(double share, const MeshData &mesh, MapJobResult &result)
 {
     const auto symmetry = preference::findSymmetry(mesh);
-    if (symmetry && symmetry->matchedArea < 0.999)
-        result.problem = JobTexts::tr("%1. %2 % of the surface have no mirror image: their cuts are free")
-                             .arg(result.message)
-                             .arg(100 * (1 - symmetry->matchedArea), 0, 'f', 1);
+    if (symmetry)
+        result.message += JobTexts::tr(", %1 % of the seams symmetric").arg(100 * share, 0, 'f', 1);
+    if (const QString text = asymmetryText(symmetry ? symmetry->matchedArea : 0); !text.isEmpty())
+        result.problem = result.message + u". "_s + text;
 }
 
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
@@ -224,10 +235,8 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
             JobTexts::tr("The distortion of %1 is above the bound of %2: allow more, or remove joins")
                 .arg(made.distortion, 0, 'f', 4)
                 .arg(options.maxDistortion, 0, 'f', 4);
-    else if (made.symmetry == 0.0)
-        result.problem = JobTexts::tr("%1. The mesh is not symmetric: nor are the cuts").arg(result.message);
     else if (made.symmetry)
-        sayAsymmetry(input.mesh(), result);
+        saySymmetry(*made.symmetry, input.mesh(), result);
     return result;
 }
 

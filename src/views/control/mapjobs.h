@@ -105,6 +105,9 @@ std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &
 //! Says what a map does not obey. \param items what to select
 QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, Selection &items);
 
+//! Says what of a mesh has no mirror image; empty when all of it has. \param mirrored share of the area
+QString asymmetryText(double mirrored);
+
 //! Says which faces of the new map overlap that did not before. \pre the result has a map
 void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobResult &result);
 

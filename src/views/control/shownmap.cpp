@@ -13,6 +13,16 @@ namespace {
 
 constexpr int fadingTime = 165; // milliseconds; chosen by hand
 
+//! 1 where a map is open, 0 where it is closed, as at a cut inside an island that opens nothing.
+std::vector<float> separationOf(const MeshData &mesh, const UvMatrix &uv)
+{
+    const std::vector<bool> open = openCornerPairs(mesh, uv);
+    std::vector<float> separation(open.size());
+    std::transform(open.begin(), open.end(), separation.begin(),
+                   [](bool apart) { return apart ? 1.f : 0.f; });
+    return separation;
+}
+
 } // namespace
 
 ShownMap::ShownMap(Workspace &workspace, QObject *parent) : QObject(parent), mWorkspace(workspace)
@@ -52,12 +62,14 @@ bool ShownMap::isSeam(int edgePair) const
     return std::max(apart[2 * edgePair], apart[2 * edgePair + 1]) >= 0.5f;
 }
 
-void ShownMap::showMap(UvMatrix soupUv, std::vector<float> separation, UvMatrix ghost)
+void ShownMap::showMap(const UvMatrix &map, UvMatrix ghost)
 {
+    const MeshData &mesh = mWorkspace.document()->mesh();
+    UvMatrix shown = soupUv(mesh, map);
     const UvMatrix before = uv();
-    const bool fades = !isSoup() && before.rows() == soupUv.rows() && before.allFinite() && before != soupUv;
-    setLive(false, std::move(separation), fades ? before : ghost);
-    mUv = std::move(soupUv);
+    const bool fades = !isSoup() && before.rows() == shown.rows() && before.allFinite() && before != shown;
+    setLive(false, separationOf(mesh, map), fades ? before : ghost);
+    mUv = std::move(shown);
     if (fades) {
         mNextGhost = std::move(ghost);
         mFading.start();
@@ -106,14 +118,11 @@ void ShownMap::refresh() const
     mStale = false;
     const Document *document = mWorkspace.document();
     mUv.resize(document ? document->mesh().soupCornerCount() : 0, 2);
-    mSeparation.assign(document ? document->mesh().cornerPairCount() : 0, 0);
+    mSeparation.clear();
     if (!document)
         return;
-    const MeshData &mesh = document->mesh();
-    mUv = soupUv(mesh, document->uv());
-    const std::vector<bool> open = openCornerPairs(mesh, document->uv());
-    std::transform(open.begin(), open.end(), mSeparation.begin(),
-                   [](bool apart) { return apart ? 1.f : 0.f; });
+    mUv = soupUv(document->mesh(), document->uv());
+    mSeparation = separationOf(document->mesh(), document->uv());
 }
 
 } // namespace autocuts

@@ -40,7 +40,8 @@ public:
     bool isSeam(int edgePair) const;
 
     //! Shows a definite map instead of the document's. \pre the sizes are those of the document's mesh
-    void showMap(UvMatrix soupUv, std::vector<float> separation, UvMatrix ghost = {});
+    //! \param map one row per corner; its seams are where it is open
+    void showMap(const UvMatrix &map, UvMatrix ghost = {});
     //! Shows the soup instead of the document's map. \pre the sizes are those of the document's mesh
     void showSoup(UvMatrix soupUv, std::vector<float> separation, UvMatrix ghost = {});
     //! Shows the document's map again.

@@ -439,6 +439,8 @@ void SolverController::tellProblems()
                                  .arg(map.distortion, 0, 'f', 4)
                                  .arg(mWorkspace.document()->solveSettings().maxDistortion, 0, 'f', 4),
                              {});
+    } else if (const QString text = asymmetryText(map.mirroredArea.value_or(1)); !text.isEmpty()) {
+        Q_EMIT foundProblems(text, {});
     }
 }
 

@@ -4,6 +4,7 @@
 #include "views/control/cageproposal.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
+#include "views/ui/reasons.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -287,17 +288,23 @@ void BakeDialog::browseFolder()
 void BakeDialog::showState()
 {
     const bool detailed = !choice().high.isEmpty();
+    const QString needsModel = tr("Choose a detailed model first");
     for (QWidget *widget : std::initializer_list<QWidget *>{mDirection, mByName, mCageFile->parentWidget()})
-        widget->setEnabled(detailed);
-    mCage->setEnabled(detailed && choice().cageFile.isEmpty());
-    mPropose->setEnabled(mCage->isEnabled() && !mMeasuring.isBusy() && QFileInfo(choice().high).isFile());
+        enableOrSay(widget, detailed, needsModel);
+    enableOrSay(mCage, detailed && choice().cageFile.isEmpty(),
+                detailed ? tr("The cage file says how far rays go") : needsModel);
+    enableOrSay(mPropose, mCage->isEnabled() && !mMeasuring.isBusy() && QFileInfo(choice().high).isFile(),
+                !detailed             ? needsModel
+                : mMeasuring.isBusy() ? tr("Measuring how far the models are apart...")
+                : !mCage->isEnabled() ? tr("The cage file says how far rays go")
+                                      : tr("Only measured for a model in a file"));
     const QString source = sourceProblem(), target = targetProblem();
     const QString problem = source.isEmpty() ? target : source;
     mProblem->setText(!problem.isEmpty()    ? problem
                       : mMeasuring.isBusy() ? tr("Measuring how far the models are apart...")
                                             : mMeasured);
-    mBake->setEnabled(problem.isEmpty());
-    mLive->setEnabled(source.isEmpty());
+    disableFor(problem, mBake);
+    disableFor(source, mLive);
 }
 
 QString BakeDialog::sourceProblem() const

@@ -4,6 +4,7 @@
 #include "model/io/carriedtextures.h"
 #include "model/plain/udimtiles.h"
 #include "views/ui/questions.h"
+#include "views/ui/reasons.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -234,7 +235,7 @@ void CarryDialog::showState()
     showPlan(planned);
     const QString source = sourceProblem();
     mProblem->setText(source.isEmpty() ? targetProblem(planned) : source);
-    mCarry->setEnabled(mProblem->text().isEmpty());
+    disableFor(mProblem->text(), mCarry);
     if (const qsizetype existing = planned.existingFiles().size(); mCarry->isEnabled() && existing > 0)
         mProblem->setText(tr("%n of the new files exist already and would be replaced.", nullptr,
                              static_cast<int>(existing)));

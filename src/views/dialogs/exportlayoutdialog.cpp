@@ -3,6 +3,7 @@
 #include "views/dialogs/pathfield.h"
 #include "views/ui/colorbutton.h"
 #include "views/ui/questions.h"
+#include "views/ui/reasons.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -55,10 +56,8 @@ ExportLayoutDialog::ExportLayoutDialog(int size, const QString &path, std::vecto
     mSeams->setChecked(defaults.seams);
     connect(mFill, &QCheckBox::toggled, mBleed, &QWidget::setEnabled);
     mOverlaps->setObjectName(QStringLiteral("overlaps"));
-    mOverlaps->setEnabled(!mOverlapping.empty());
+    enableOrSay(mOverlaps, !mOverlapping.empty(), tr("The map has no overlaps, or was not measured yet"));
     mOverlaps->setChecked(!mOverlapping.empty());
-    if (mOverlapping.empty())
-        mOverlaps->setToolTip(tr("The map has no overlaps, or was not measured yet"));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     mExport = buttons->addButton(tr("E&xport"), QDialogButtonBox::AcceptRole);
     mExport->setDefault(true);
@@ -92,8 +91,11 @@ ExportLayoutDialog::OwnColor ExportLayoutDialog::makeColor(const QString &text, 
     const OwnColor color{new QCheckBox(text), new ColorButton(text)};
     color.box->setObjectName(name);
     color.button->setColor(first);
-    color.button->setEnabled(false);
-    connect(color.box, &QCheckBox::toggled, color.button, &QWidget::setEnabled);
+    const auto show = [=, why = tr("Tick the box beside it first")](bool on) {
+        enableOrSay(color.button, on, why);
+    };
+    connect(color.box, &QCheckBox::toggled, color.button, show);
+    show(false);
     return color;
 }
 
@@ -175,7 +177,7 @@ void ExportLayoutDialog::showPath()
     if (index >= 0)
         mFormat->setCurrentIndex(index);
     mProblem->setText(problem);
-    mExport->setEnabled(problem.isEmpty());
+    disableFor(problem, mExport);
 }
 
 void ExportLayoutDialog::accept()

@@ -4,6 +4,7 @@
 #include "model/io/meshfile.h"
 #include "views/dialogs/pathfield.h"
 #include "views/ui/questions.h"
+#include "views/ui/reasons.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -134,7 +135,7 @@ void ExportMeshDialog::showPath()
     if (index >= 0)
         mFormat->setCurrentIndex(index);
     mProblem->setText(problem);
-    mExport->setEnabled(problem.isEmpty());
+    disableFor(problem, mExport);
 }
 
 void ExportMeshDialog::accept()

@@ -1,5 +1,7 @@
 #include "views/dialogs/lampform.h"
 
+#include "views/ui/reasons.h"
+
 #include <Eigen/Geometry>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -108,7 +110,7 @@ LampForm::LampForm(const Scene &scene, const std::vector<LightPlan::Area> &areas
     add->setObjectName("addLamp"_L1);
     mRemove->setText(tr("Re&move area light"));
     mRemove->setObjectName("removeLamp"_L1);
-    mRemove->setEnabled(!areas.empty());
+    showRows();
     auto *buttons = new QHBoxLayout;
     for (QPushButton *button : {add, mRemove}) {
         button->setAutoDefault(false);
@@ -144,15 +146,20 @@ void LampForm::addLamp()
 {
     addRow({mMiddle + 0.75 * mSize * mUp, mMiddle, Vec2::Constant(0.5 * mSize), Vec3f::Constant(5)});
     mAreas->setCurrentCell(mAreas->rowCount() - 1, 0);
-    mRemove->setEnabled(true);
+    showRows();
     Q_EMIT changed();
 }
 
 void LampForm::removeLamp()
 {
     mAreas->removeRow(std::max(0, mAreas->currentRow()));
-    mRemove->setEnabled(mAreas->rowCount() > 0);
+    showRows();
     Q_EMIT changed();
+}
+
+void LampForm::showRows()
+{
+    enableOrSay(mRemove, mAreas->rowCount() > 0, tr("There is no area light"));
 }
 
 std::optional<std::vector<LightPlan::Area>> LampForm::areas() const

@@ -42,6 +42,7 @@ private:
     void addRow(const LightPlan::Area &area);
     void addLamp();
     void removeLamp();
+    void showRows();
 
     Vec3 mMiddle = Vec3::Zero(), mUp = Vec3::UnitY(); //!< of the model
     double mSize = 1;                                 //!< diagonal of the model

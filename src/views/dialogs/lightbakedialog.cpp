@@ -5,6 +5,7 @@
 #include "views/dialogs/pathfield.h"
 #include "views/ui/colorbutton.h"
 #include "views/ui/questions.h"
+#include "views/ui/reasons.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -27,8 +28,8 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 //! The formats and their bits.
-constexpr std::pair<const char *, int> formats[]{{"png", 8}, {"png", 16}, {"tif", 16},
-                                                 {"tga", 8}, {"exr", 16}, {"exr", 32}};
+constexpr std::pair<const char *, int> lightFormats[]{{"png", 8}, {"png", 16}, {"tif", 16},
+                                                      {"tga", 8}, {"exr", 16}, {"exr", 32}};
 
 QColor shownColor(const Vec3f &linear)
 {
@@ -145,7 +146,7 @@ LightBakeDialog::LightBakeDialog(const Document &document, const LightChoice &la
     for (QComboBox *box : {mSky, mUp})
         connect(box, &QComboBox::currentIndexChanged, this, &LightBakeDialog::showState);
     connect(mFormat, &QComboBox::currentIndexChanged, this, [this] {
-        mPath->setSuffix(QString::fromLatin1(formats[std::max(0, mFormat->currentIndex())].first));
+        mPath->setSuffix(QString::fromLatin1(lightFormats[std::max(0, mFormat->currentIndex())].first));
     });
     for (QCheckBox *box : {mDirect, mIndirect})
         connect(box, &QCheckBox::toggled, this, &LightBakeDialog::showState);
@@ -291,7 +292,7 @@ QWidget *LightBakeDialog::makeFile(const LightChoice &last)
 {
     auto *group = new QGroupBox(tr("File"));
     mFormat = makeBox("format");
-    for (const auto &[suffix, bits] : formats) {
+    for (const auto &[suffix, bits] : lightFormats) {
         mFormat->addItem(tr("%1, %2 bits").arg(QString::fromLatin1(suffix).toUpper()).arg(bits));
         if (last.path.endsWith(u'.' + QLatin1StringView(suffix)) && last.bits == bits)
             mFormat->setCurrentIndex(mFormat->count() - 1);
@@ -309,14 +310,15 @@ QWidget *LightBakeDialog::makeFile(const LightChoice &last)
 void LightBakeDialog::showState()
 {
     const auto kind = SkyKind(mSky->currentData().toInt());
-    mSkyColors[0]->setEnabled(kind == SkyKind::Color || kind == SkyKind::Gradient);
+    const QString why = tr("This kind of sky has no such colour");
+    enableOrSay(mSkyColors[0], kind == SkyKind::Color || kind == SkyKind::Gradient, why);
     for (const std::size_t k : {1U, 2U})
-        mSkyColors[k]->setEnabled(kind == SkyKind::Gradient);
+        enableOrSay(mSkyColors[k], kind == SkyKind::Gradient, why);
     mSkyStrength->setEnabled(kind != SkyKind::None);
     mTurbidity->setEnabled(kind == SkyKind::Day);
     mLamps->setUp(mUp->currentData().toBool() ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::UnitY()));
     mProblem->setText(problem());
-    mBake->setEnabled(mProblem->text().isEmpty());
+    disableFor(mProblem->text(), mBake);
 }
 
 QString LightBakeDialog::problem() const
@@ -374,7 +376,7 @@ LightChoice LightBakeDialog::choice() const
     choice.indirect = mIndirect->isChecked();
     choice.denoise = mDenoise->isChecked();
     choice.path = mPath->path();
-    choice.bits = formats[std::max(0, mFormat->currentIndex())].second;
+    choice.bits = lightFormats[std::max(0, mFormat->currentIndex())].second;
     return choice;
 }
 

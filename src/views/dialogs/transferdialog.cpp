@@ -2,6 +2,7 @@
 
 #include "model/document/document.h"
 #include "views/ui/questions.h"
+#include "views/ui/reasons.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -18,7 +19,7 @@
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
-using From = TransferChoice::From;
+using UvSource = TransferChoice::From;
 
 TransferDialog::TransferDialog(const Document &document, const TransferChoice &last, const QString &folder,
                                const QStringList &filters, Questions &questions)
@@ -46,7 +47,7 @@ TransferDialog::TransferDialog(const Document &document, const TransferChoice &l
         tr("The same polygons: UVs are copied, wherever the models lie. By position: every face "
            "takes the UVs of the nearest points of the surface, for models of another resolution; "
            "both must lie in the same place."));
-    mOnlySelection->setEnabled(!document.selection().faces.isEmpty());
+    enableOrSay(mOnlySelection, !document.selection().faces.isEmpty(), tr("Select faces first"));
     mOnlySelection->setChecked(last.onlySelection && mOnlySelection->isEnabled());
     mProblem->setWordWrap(true);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
@@ -84,19 +85,19 @@ TransferDialog::TransferDialog(const Document &document, const TransferChoice &l
 //! Offers what the document has: other UV sets, and objects where there are several.
 void TransferDialog::addSources(const Document &document)
 {
-    mFrom->addItem(tr("A file"), int(From::File));
+    mFrom->addItem(tr("A file"), int(UvSource::File));
     const std::vector<UvSet> &sets = document.uvSets();
     for (int i = 0; i < static_cast<int>(sets.size()); ++i) {
         if (i != document.activeUvSet())
             mUvSet->addItem(sets[i].name, i);
     }
     if (mUvSet->count() > 0)
-        mFrom->addItem(tr("Another UV set"), int(From::UvSet));
+        mFrom->addItem(tr("Another UV set"), int(UvSource::UvSet));
     const std::vector<QString> &names = document.state().scene.objectNames;
     for (int i = 0; i < static_cast<int>(names.size()); ++i)
         mObject->addItem(names[i].isEmpty() ? tr("Object %1").arg(i + 1) : names[i], i);
     if (mObject->count() > 1)
-        mFrom->addItem(tr("An object of this model"), int(From::Object));
+        mFrom->addItem(tr("An object of this model"), int(UvSource::Object));
     mObject->setToolTip(tr("Its UVs go to every other object, or to those with selected faces"));
 }
 
@@ -112,19 +113,19 @@ void TransferDialog::browse()
 void TransferDialog::showSource()
 {
     auto *form = static_cast<QFormLayout *>(layout());
-    const From from = choice().from;
-    form->setRowVisible(mFileRow, from == From::File);
-    form->setRowVisible(mUvSet, from == From::UvSet);
-    form->setRowVisible(mObject, from == From::Object);
+    const UvSource from = choice().from;
+    form->setRowVisible(mFileRow, from == UvSource::File);
+    form->setRowVisible(mUvSet, from == UvSource::UvSet);
+    form->setRowVisible(mObject, from == UvSource::Object);
     mProblem->setText(problem());
-    mTransfer->setEnabled(mProblem->text().isEmpty());
+    disableFor(mProblem->text(), mTransfer);
     adjustSize();
 }
 
 QString TransferDialog::problem() const
 {
     const TransferChoice chosen = choice();
-    if (chosen.from != From::File)
+    if (chosen.from != UvSource::File)
         return {};
     if (chosen.path.isEmpty())
         return tr("Choose a model or a session that has UVs.");
@@ -134,7 +135,7 @@ QString TransferDialog::problem() const
 TransferChoice TransferDialog::choice() const
 {
     TransferChoice choice;
-    choice.from = From(mFrom->currentData().toInt());
+    choice.from = UvSource(mFrom->currentData().toInt());
     choice.path = QDir::fromNativeSeparators(mPath->text().trimmed());
     choice.uvSet = mUvSet->currentData().toInt();
     choice.object = mObject->currentData().toInt();

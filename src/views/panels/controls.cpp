@@ -68,20 +68,6 @@ QPushButton *makeButton(const QString &text, QLatin1StringView name)
     return button;
 }
 
-void enableOrSay(QWidget *widget, bool enabled, const QString &why)
-{
-    static constexpr auto said = "autocutsWhyDisabled";
-    QString tip = widget->toolTip();
-    if (const QString before = widget->property(said).toString(); !before.isEmpty() && tip.endsWith(before))
-        tip.chop(before.size());
-    QString reason = enabled ? QString() : QLatin1Char('\n') + why;
-    if (tip.endsWith(reason)) // as Panel::explain() said already
-        reason.clear();
-    widget->setProperty(said, reason);
-    widget->setToolTip(tip + reason);
-    widget->setEnabled(enabled);
-}
-
 QWidget *makeRow(std::initializer_list<QWidget *> widgets, RowWidths widths)
 {
     auto *row = new QWidget;

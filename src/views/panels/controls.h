@@ -25,8 +25,6 @@ QFormLayout *makeForm(QWidget *owner);
 QLabel *addRow(QFormLayout *form, const QString &label, QWidget *field, const QString &tip);
 //! Makes a push button that can be as narrow as its text. \param name object name
 QPushButton *makeButton(const QString &text, QLatin1StringView name);
-//! Enables a widget, or disables it and says why below its tooltip.
-void enableOrSay(QWidget *widget, bool enabled, const QString &why);
 enum class RowWidths { Equal, AsNeeded };
 //! Makes a row of widgets.
 QWidget *makeRow(std::initializer_list<QWidget *> widgets, RowWidths widths = RowWidths::Equal);

@@ -1,6 +1,7 @@
 #include "views/panels/givenseamform.h"
 
 #include "views/panels/controls.h"
+#include "views/ui/reasons.h"
 
 #include <QCheckBox>
 #include <QComboBox>

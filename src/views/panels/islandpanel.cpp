@@ -7,6 +7,7 @@
 #include "views/panels/controls.h"
 #include "views/panels/islandtable.h"
 #include "views/panels/numbertext.h"
+#include "views/ui/reasons.h"
 
 #include <QDoubleSpinBox>
 #include <QFormLayout>

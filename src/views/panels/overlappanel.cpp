@@ -6,6 +6,7 @@
 #include "views/panels/controls.h"
 #include "views/panels/numbertext.h"
 #include "views/panels/overlapmodel.h"
+#include "views/ui/reasons.h"
 
 #include <QGridLayout>
 #include <QLabel>

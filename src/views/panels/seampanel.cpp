@@ -14,6 +14,7 @@
 #include "views/panels/seamcounts.h"
 #include "views/panels/seampricelist.h"
 #include "views/panels/sliderspin.h"
+#include "views/ui/reasons.h"
 
 #include <QDoubleSpinBox>
 #include <QFormLayout>

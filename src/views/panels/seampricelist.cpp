@@ -2,6 +2,7 @@
 
 #include "views/panels/controls.h"
 #include "views/panels/numbertext.h"
+#include "views/ui/reasons.h"
 
 #include <QHeaderView>
 #include <QLabel>

@@ -10,6 +10,7 @@
 #include "views/panels/texturenaming.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
+#include "views/ui/reasons.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -52,7 +52,7 @@ namespace autocuts {
 
 namespace {
 
-constexpr int thumbnailSide = 256; //!< pixels of the longer side
+constexpr int sessionThumbnailSide = 256; //!< pixels of the longer side
 //! Pixels; in narrower windows the panels of the left begin closed (View > Panels opens them).
 constexpr int leastForBothSides = 1400;
 
@@ -464,7 +464,7 @@ QByteArray MainWindow::viewStateBytes() const
 
 QImage MainWindow::thumbnail()
 {
-    return mMeshView->picture().scaled(thumbnailSide, thumbnailSide, Qt::KeepAspectRatio,
+    return mMeshView->picture().scaled(sessionThumbnailSide, thumbnailSide, Qt::KeepAspectRatio,
                                        Qt::SmoothTransformation);
 }
 

@@ -1,11 +1,12 @@
 #include "views/tools/dragtool.h"
 
-#include "commands/setuvs.h"
+#include "commands/editmapseams.h"
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
+#include "views/control/tearing.h"
 #include "views/control/workspace.h"
 #include "views/tools/draghandles.h"
 #include "views/tools/pickedelements.h"
@@ -30,7 +31,7 @@ constexpr double backDistance = 8;
 //! Number of solver results in which joined gaps have to close; then the pulls are removed anyway. Chosen by
 //! hand; its effect has not been measured.
 constexpr int shuttingResults = 60;
-const QColor dragColor(0x3d8bff), snapColor(0x2fbf71);
+const QColor dragColor(0x3d8bff), snapColor(0x2fbf71), strainColor(0xff8a1f);
 
 } // namespace
 
@@ -53,6 +54,7 @@ DragTool::DragTool(const StudioContext &context, QObject *parent)
         Q_EMIT hintChanged();
     });
     connect(&context.solver, &SolverController::statusChanged, this, &DragTool::letGoWhenShut);
+    connect(&context.solver, &SolverController::statusChanged, this, &DragTool::tearLive);
     connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::hintChanged);
 }
 
@@ -64,6 +66,10 @@ QString DragTool::hint() const
                          : mode == SelectionMode::Edges  ? tr("edges")
                          : mode == SelectionMode::Faces  ? tr("faces")
                                                          : tr("islands");
+    if (mState == State::Drag && !mTorn.empty())
+        return tr("Torn off: what was in the circle moves alone; Escape: cancel");
+    if (mState == State::Drag && mStrained)
+        return tr("Pull further: what is in the circle tears off; Shift+wheel: circle, Escape: cancel");
     return context().solver.isRunning()
                ? tr("Drag %1 in the UV view: the map follows, tears and joins; Shift+wheel: circle, Escape: "
                     "cancel")
@@ -73,9 +79,11 @@ QString DragTool::hint() const
                      .arg(what);
 }
 
-//! Islands are moved as a whole, without the circle.
+//! Islands, and what is torn off, are moved as a whole, without the circle.
 bool DragTool::reachesAround() const
 {
+    if (!mTorn.empty())
+        return false;
     const Document *document = context().workspace.document();
     return document && document->selection().mode != SelectionMode::Islands;
 }
@@ -238,6 +246,10 @@ void DragTool::moveCorners(const Vec2 &way)
     const double share = shareWithoutFlips(mUv, ways);
     if (share < 1)
         mClosed.clear();
+    if (tearsAt(strainOf(mUv, mUv + share * ways, mReach.corners),
+                (1 - share) * way.norm() * mView->mapCamera()->scale()) &&
+        tear())
+        return moveCorners(way);
     mWay = share * way;
     UvMatrix uv = mCornerUv;
     UvEditExtras extras;
@@ -258,7 +270,17 @@ void DragTool::moveCorners(const Vec2 &way)
             extras.pins.back().position = uv.row(corner);
         }
     }
-    auto command = std::make_unique<SetUvs>(document, UvEdit::Drag, uv, extras);
+    pushUvs(uv, extras);
+}
+
+void DragTool::pushUvs(const UvMatrix &uv, const UvEditExtras &extras)
+{
+    Document &document = *context().workspace.document();
+    std::unique_ptr<DocumentCommand> command;
+    if (mTorn.empty())
+        command = std::make_unique<SetUvs>(document, UvEdit::Drag, uv, extras);
+    else
+        command = EditMapSeams::make(document, EditMapSeams::Edit::Tear, uv, mTorn);
     command->setGesture(mGesture);
     pushCommand(std::move(command));
 }
@@ -270,7 +292,7 @@ void DragTool::release(const ToolEvent &event)
     mMouse = event.position;
     if (mState == State::Pressed) {
         select(event);
-    } else if (mLive && mClosed.empty() &&
+    } else if ((mLive || !mTorn.empty()) && mClosed.empty() &&
                std::hypot((mMouse - mStart).x(), (mMouse - mStart).y()) < backDistance) {
         cancel(); // the map returns, too: nothing was meant to tear
         return;
@@ -340,15 +362,18 @@ void DragTool::reset()
     mReach = {};
     mGaps.clear();
     mClosed.clear();
+    mTorn.clear();
+    mStrained = false;
+    Q_EMIT hintChanged();
     Q_EMIT overlayChanged();
 }
 
 void DragTool::cancel()
 {
+    if (mState == State::Drag && (!mLive || !mTorn.empty()))
+        cancelGesture(*context().workspace.document(), mGesture);
     if (mState == State::Drag && mLive)
         context().solver.cancelPulls();
-    else if (mState == State::Drag)
-        cancelGesture(*context().workspace.document(), mGesture);
     reset();
 }
 
@@ -374,10 +399,11 @@ void DragTool::drawDrag(QPainter &painter, const ToolCanvas &view) const
 {
     const double scale = view.mapCamera()->scale();
     const QPointF end = mStart + QPointF(scale * mWay.x(), -scale * mWay.y());
-    painter.setPen(QPen(dragColor, 1.2, Qt::DashLine));
-    painter.drawLine(mStart, end);
+    const QColor color = mStrained ? strainColor : dragColor;
+    painter.setPen(QPen(color, mStrained ? 2.5 : 1.2, Qt::DashLine));
+    painter.drawLine(mStart, mStrained ? mMouse : end);
     painter.setPen(QPen(Qt::white, 1));
-    painter.setBrush(dragColor);
+    painter.setBrush(color);
     painter.drawEllipse(end, 5, 5);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(snapColor, 2.5));

@@ -9,12 +9,15 @@
 namespace autocuts {
 
 class ToolCanvas;
+struct UvEditExtras;
 
 //! Drags vertices, edges, faces or islands of the map, by the selection mode (paper, section 4, "Assisted
 //! cutting"). Corners inside the circle follow, others stay. While a solve runs, dragged corners are pulled
 //! by springs: the map deforms or, where that has the lower energy, tears; tears are stored as cuts. Without
 //! a solve, corners are moved directly, but only as far as no triangle flips. Corners near their partners
-//! across a seam snap to them and are joined. A click selects. Locked islands and pinned corners stay.
+//! across a seam snap to them and are joined. A definite map that is pulled past what it can stretch tears:
+//! what is in the circle comes off by the shortest seam and moves with the mouse from then on (paper,
+//! "tear-up gesture"). A click selects. Locked islands and pinned corners stay.
 class DragTool final : public AbstractTool
 {
     Q_OBJECT
@@ -60,6 +63,12 @@ private:
     Vec2 wayThatCloses(const Gap &gap) const;
     void pull(const Vec2 &way);
     void moveCorners(const Vec2 &way);
+    void pushUvs(const UvMatrix &uv, const UvEditExtras &extras);
+    bool tearsAt(double strain, double resistance = 0);
+    void tearLive();
+    void setStrained(bool strained);
+    //! Takes the part of the circle off. \returns false when it holds
+    bool tear();
     void closeGaps(UvMatrix &ways) const;
     //! Stores the seams that the solver opened or closed during the drag as cuts or joins.
     void keepSeams();
@@ -86,6 +95,8 @@ private:
     DragReach mReach;
     std::vector<Gap> mGaps, mClosed; //!< gaps that could be closed, and those that are closed now
     Vec2 mWay = Vec2::Zero();        //!< displacement of the handles
+    bool mStrained = false;          //!< it would tear soon
+    std::vector<int> mTorn;          //!< edge pairs along which a part came off
     quint64 mGesture = 0;
 
     std::vector<int> mShutting; //!< corner pairs that the previous drag joined and that are still open
