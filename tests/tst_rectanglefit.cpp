@@ -107,7 +107,7 @@ private Q_SLOTS:
         LivePlacing placing;
         const FreePart part = *FreePart::of(snapshot);
         const auto place = [&] {
-            return placing.place(snapshot, part, *boxed.soup, boxed.map, {}, false, PackRotation::Free);
+            return placing.place(snapshot, part, *boxed.soup, boxed.map, {}, false, {}, PackRotation::Free);
         };
         const UvMatrix grown = place();
         QVERIFY2(sideOf(grown) > 0.9, qPrintable(QString::number(sideOf(grown))));

@@ -464,7 +464,7 @@ QByteArray MainWindow::viewStateBytes() const
 
 QImage MainWindow::thumbnail()
 {
-    return mMeshView->picture().scaled(sessionThumbnailSide, thumbnailSide, Qt::KeepAspectRatio,
+    return mMeshView->picture().scaled(sessionThumbnailSide, sessionThumbnailSide, Qt::KeepAspectRatio,
                                        Qt::SmoothTransformation);
 }
 
