@@ -301,7 +301,7 @@ private Q_SLOTS:
         QTest::newRow("some") << false;
         QTest::newRow("all") << true;
     }
-    //! All islands of the tile get smaller, by one factor, when there is no room for some.
+    //! The islands of a tile get smaller when there is no room for some, and that is said.
     void alignedIslandsOfAFullTile()
     {
         QFETCH(bool, whole);
@@ -336,11 +336,11 @@ private Q_SLOTS:
         const std::vector<double> before = areas(full), after = areas(made.uv);
         QCOMPARE(after.size(), before.size());
         verifyIsValid(mesh, made.uv);
-        const double factor = after[0] / before[0];
-        QVERIFY2(made.madeSmaller ? factor < 1 + 1e-5 : std::abs(factor - 1) < 1e-5,
-                 qPrintable(QString::number(factor)));
-        for (std::size_t i = 0; i < before.size(); ++i)
-            QVERIFY(std::abs(after[i] / before[i] - factor) < 1e-3);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const double factor = after[i] / before[i]; // each island has a tile of its own
+            QVERIFY2(made.madeSmaller ? factor < 1 + 1e-5 && factor > 0.8 : std::abs(factor - 1) < 1e-5,
+                     qPrintable(QString::number(factor)));
+        }
     }
 
     void bentLinesAreSaid()

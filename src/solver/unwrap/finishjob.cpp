@@ -50,22 +50,29 @@ void load(const FinishInput &input, const FreePart &part, int threads, homotopy:
     }
 }
 
+//! True for the map of a document, whose islands have the sizes that the user gave them. The islands of a map
+//! in a plain file get one texel density.
+bool keepsScales(const Snapshot &snapshot)
+{
+    return snapshot.uv && snapshot.keepTiles;
+}
+
 //! Packs the finished map where islands overlap or are not where they belong.
 void place(const FinishInput &input, const ChartMap &charts, bool stays, const JobContext &job,
            FinishResult &result)
 {
     PackJob pack = steeredPackJob(input.snapshot, input.packing);
     pack.options.keepScale = false; // where there is no room, all islands become smaller
-    const bool hadMap = input.snapshot.uv != nullptr;
-    pack.keepScaleIfPossible = stays || hadMap;
-    if (hadMap)
+    const bool keeps = keepsScales(input.snapshot);
+    pack.keepScaleIfPossible = stays || keeps;
+    if (keeps)
         pack.density = packing::DensityBasis::Given;
     const MeshData &mesh = *input.snapshot.mesh;
     if (liesFree(mesh, charts, pack, result.uv, job))
         return;
     const JobContext packing = job.part(0, 1, JobStage::Packing);
-    const bool packed = hadMap ? packMisplaced(mesh, charts, pack, result.uv, packing)
-                               : packCharts(mesh, charts, pack, result.uv, packing);
+    const bool packed = keeps ? packMisplaced(mesh, charts, pack, result.uv, packing)
+                              : packCharts(mesh, charts, pack, result.uv, packing);
     result.noRoom = !packed && !job.stopped();
 }
 
@@ -165,7 +172,7 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     if (!found)
         return result;
     straighten(soup, part->snapshot(), plan, input.maxDistortion, found->map, job, result);
-    if (input.snapshot.uv)
+    if (keepsScales(input.snapshot))
         definite::equalizeDensity(*soup, own, found->map);
     fitToRectangles(*part, soup, found->map, job);
     UvMatrix uv = own.uvScale * cornerUv(*soup, found->map);
@@ -173,7 +180,7 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     result.uv = part->wholeUv(uv);
     result.distortion = found->map.distortion(*soup);
     const ChartMap charts = part->wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, found->map.cut)));
-    if (input.snapshot.uv)
+    if (keepsScales(input.snapshot))
         keepScales(input.snapshot, charts, steeredPackJob(input.snapshot, input.packing),
                    part->unit() * layoutScale(*own.mesh, uv), result.uv);
     place(input, charts, !part->isWhole() || input.snapshot.placesIslands(), job, result);
