@@ -76,7 +76,8 @@ std::vector<SetFile> filesOf(QFile &note)
     const QFileInfo info(note);
     const QString ending = u'.' + info.fileName().section(u'-', 1).section(u'.', 0, 0);
     std::vector<SetFile> files;
-    for (const QJsonValue &entry : QJsonDocument::fromJson(note.readAll()).array()) {
+    const QJsonArray entries = QJsonDocument::fromJson(note.readAll()).array();
+    for (const auto &entry : entries) {
         const QString name = entry["name"_L1].toString();
         if (name.isEmpty() || name != QFileInfo(name).fileName())
             return {};

@@ -95,9 +95,9 @@ std::vector<double> scalesOf(const MeshData &mesh, const ChartMap &charts, const
         const int chart = charts.faceChart[mesh.triangleFace[t]];
         if (chart < 0)
             continue;
-        const auto &[a, b, c] = mesh.triangles[t];
+        const auto &corners = mesh.triangles[t];
         const auto area = [&](const UvMatrix &uv) {
-            return cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c)));
+            return cross2(Vec2(uv.row(corners[0])), Vec2(uv.row(corners[1])), Vec2(uv.row(corners[2])));
         };
         inShape[chart] += area(shape);
         inTexture[chart] += area(placed);
@@ -200,7 +200,7 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     if (mBefore) {
         pack.density = packing::DensityBasis::Given;
         given = chartScales(mesh, charts, mBefore->scale, own.uvScale);
-        uv = placeAgain(snapshot, part, charts, shape, std::move(pack), turns, held, given);
+        uv = placeAgain(snapshot, part, charts, shape, pack, turns, held, given);
     } else {
         uv = part.wholeUv((stays ? own.uvScale : 1) * shape);
         mHadRoom = packCharts(*snapshot.mesh, part.wholeCharts(charts), pack, uv);
@@ -218,7 +218,7 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
 
 //! Places a map in relation to the one before. \param shape per corner, solver units \param scales per chart
 UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part, const ChartMap &charts,
-                                 const UvMatrix &shape, PackJob pack, PackRotation turns,
+                                 const UvMatrix &shape, const PackJob &pack, PackRotation turns,
                                  const std::vector<bool> &held, std::vector<double> scales)
 {
     const MeshData &mesh = *part.snapshot().mesh;

@@ -44,7 +44,7 @@ private:
     void beginWith(const FreePart &part);
     void takeFrom(const FreePart &part, const UvMatrix &uv);
     UvMatrix placeAgain(const Snapshot &snapshot, const FreePart &part, const ChartMap &charts,
-                        const UvMatrix &shape, PackJob pack, PackRotation turns,
+                        const UvMatrix &shape, const PackJob &pack, PackRotation turns,
                         const std::vector<bool> &held, std::vector<double> scales);
     UvMatrix atOldPlaces(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &held,
                          const UvMatrix &uv, PackRotation turns) const;

@@ -70,7 +70,7 @@ std::vector<TextureSet> setsWith(const DocumentState &model, const std::map<QStr
                                                                  {"ao", TextureChannel::Occlusion},
                                                                  {"color", TextureChannel::BaseColor}};
     for (const int material : materials) {
-        const auto place = static_cast<std::size_t>(material + 1);
+        const auto place = static_cast<std::size_t>(material) + 1; // -1, without a material, is the first one
         sets.resize(std::max(sets.size(), place + 1));
         for (const auto &[name, channel] : channels) {
             const auto picture = pictures.find(QLatin1StringView(name));
