@@ -5743,6 +5743,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
 <context>
     <name>autocuts::MapController</name>
     <message>
+        <source>edges kept straight, which are bent: %1</source>
+        <translation>Kanten, die gerade bleiben sollen, aber gebogen sind: %1</translation>
+    </message>
+    <message>
         <source>The chain cannot be made straight without turning faces over</source>
         <translation>Die Kette lässt sich nicht begradigen, ohne Flächen umzudrehen</translation>
     </message>
