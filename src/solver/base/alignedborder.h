@@ -55,8 +55,10 @@ double crookedBorder(const Soup &soup, const std::vector<bool> &aligned, const s
 //! The cost of such border, solver units; 0 where islands need not run along the axes.
 double crookedCost(const Soup &soup, const SeamedMap &map, const CutMesh &charts, const Snapshot &snapshot);
 
-//! What a unit of its length costs, beside a seam that costs its length. Of 0, 0.1 and 0.25, the last gave
-//! the straightest maps of truck, wheels, a bottle and a gear, with seams that are as long on the whole.
+//! What a unit of its length costs, beside a seam that costs its length. Chosen by hand among 0, 0.1 and
+//! 0.25. Measured in standard, 0 beside 0.25: a truck's seams 17.1 and 21.4 with .05 and .48 of its border
+//! along the axes; wheels 12.0 and 12.0, .24 and .31; a bottle 5.4 and 4.8, .32 and .26; a gear does not
+//! change.
 inline constexpr double alignmentCost = 0.25;
 
 } // namespace autocuts
