@@ -190,6 +190,12 @@ TileLayout findTiles(const MeshData &mesh, const ChartMap &charts, const UvMatri
         belongs.push_back(reach.box.isEmpty() ? 0 : nearestNumber(cell));
     }
     layout.hasTiles = charts.count > 0 && atHome >= leastAtHome * all;
+    // A map that was made for a square texture, and islands of which lie over the borders of lower tiles now.
+    const Eigen::AlignedBox2d square(Vec2(0, 0), Vec2(1, 1)), box = layoutBox(uv);
+    const bool anyOut =
+        std::find(layout.sticksOut.begin(), layout.sticksOut.end(), true) != layout.sticksOut.end();
+    if (tileHeight < 1 && anyOut && !box.isEmpty() && square.contains(box))
+        layout.hasTiles = false;
     if (layout.hasTiles)
         layout.tile = std::move(belongs);
     return layout;
