@@ -151,11 +151,12 @@ private Q_SLOTS:
         QTest::newRow("the same, lower") << with({2.2, 0.8, 0.5, 0.5}) << QList<int>{1001, 1013} << true;
         QTest::newRow("over four tiles") << with({1.75, 0.75, 0.5, 0.5}) << QList<int>{1001, 1002} << true;
         QTest::newRow("below the bottom row")
-            << with({3.2, -0.7, 0.5, 0.5}) << QList<int>{1001, 1004} << true;
-        QTest::newRow("left of the first column")
-            << with({-0.7, 1.2, 0.5, 0.5}) << QList<int>{1001, 1011} << true;
+            << with({3.2, 0.1, 0.6, 0.6, 3.2, -0.7, 0.5, 0.5}) << QList<int>{1001, 1004, 1004} << true;
+        QTest::newRow("below an empty tile") << with({3.2, -0.7, 0.5, 0.5}) << QList<int>{1001, 1001} << true;
+        QTest::newRow("left of the first column, beside an empty tile")
+            << with({-0.7, 1.2, 0.5, 0.5}) << QList<int>{1001, 1001} << true;
         QTest::newRow("right of the last column")
-            << with({10.2, 0.2, 0.5, 0.5}) << QList<int>{1001, 1010} << true;
+            << with({9.2, 0.2, 0.6, 0.6, 10.2, 0.2, 0.5, 0.5}) << QList<int>{1001, 1010, 1010} << true;
         QTest::newRow("alone, over the border")
             << QList<double>{3.6, 0.1, 0.5, 0.5} << QList<int>{1004} << true;
         QTest::newRow("alone, over two tiles")

@@ -43,13 +43,12 @@ int numberOf(const Vec2 &cell)
     return isThere ? static_cast<int>(tile) : 0;
 }
 
-//! The number of the tile that is nearest to a column and row.
-int nearestNumber(const Vec2 &cell)
+//! The one of several tiles that is nearest to a column and row; of equally near ones, the first.
+int nearestOf(const std::set<int> &tiles, const Vec2 &cell)
 {
-    constexpr int rows = (PackingSettings::lastTile - PackingSettings::firstTile) / perRow + 1;
-    const int number =
-        numberOf({std::clamp<double>(cell.x(), 0, perRow - 1), std::clamp<double>(cell.y(), 0, rows - 1)});
-    return number > 0 ? number : PackingSettings::lastTile;
+    const auto distance = [&](int tile) { return (udimTile(tile, 1).min() - cell).squaredNorm(); };
+    return *std::min_element(tiles.begin(), tiles.end(),
+                             [&](int a, int b) { return distance(a) < distance(b); });
 }
 
 bool fits(const Eigen::AlignedBox2d &box, const Eigen::AlignedBox2d &tile)
@@ -170,7 +169,8 @@ std::vector<int> TileLayout::ofFaces(const ChartMap &charts) const
 TileLayout findTiles(const MeshData &mesh, const ChartMap &charts, const UvMatrix &uv, double tileHeight)
 {
     TileLayout layout;
-    std::vector<int> belongs; // per chart: its tile where the layout is made of tiles
+    std::vector<Vec2> cells; // per chart: column and row of most of it
+    std::set<int> homes;     // the tiles in which islands are at home
     double all = 0, atHome = 0;
     for (const Reach &reach : reachesOf(mesh, charts, uv, tileHeight)) {
         const int whole = tileOf(reach.box, tileHeight);
@@ -183,21 +183,25 @@ TileLayout findTiles(const MeshData &mesh, const ChartMap &charts, const UvMatri
             }
         }
         all += reach.area;
-        if (numberOf(cell) > 0 && most >= homeShare * reach.area)
+        if (numberOf(cell) > 0 && reach.area > 0 && most >= homeShare * reach.area) {
             atHome += reach.area;
+            homes.insert(numberOf(cell));
+        }
         layout.tile.push_back(whole);
         layout.sticksOut.push_back(whole == 0);
-        belongs.push_back(reach.box.isEmpty() ? 0 : nearestNumber(cell));
+        cells.push_back(cell);
     }
-    layout.hasTiles = charts.count > 0 && atHome >= leastAtHome * all;
+    layout.hasTiles = !homes.empty() && atHome >= leastAtHome * all;
     // A map that was made for a square texture, and islands of which lie over the borders of lower tiles now.
     const Eigen::AlignedBox2d square(Vec2(0, 0), Vec2(1, 1)), box = layoutBox(uv);
     const bool anyOut =
         std::find(layout.sticksOut.begin(), layout.sticksOut.end(), true) != layout.sticksOut.end();
     if (tileHeight < 1 && anyOut && !box.isEmpty() && square.contains(box))
         layout.hasTiles = false;
-    if (layout.hasTiles)
-        layout.tile = std::move(belongs);
+    for (int chart = 0; layout.hasTiles && chart < charts.count; ++chart) {
+        const int tile = numberOf(cells[chart]);
+        layout.tile[chart] = tile > 0 ? tile : nearestOf(homes, cells[chart]);
+    }
     return layout;
 }
 

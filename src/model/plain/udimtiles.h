@@ -37,7 +37,7 @@ struct TileLayout
 };
 
 //! Where the islands of a layout belong. In a layout that is made of tiles, an island that lies where no tile
-//! is belongs to the nearest one. \param charts of the UVs
+//! is belongs to the nearest one in which an island is at home. \param charts of the UVs
 TileLayout findTiles(const MeshData &mesh, const ChartMap &charts, const UvMatrix &uv, double tileHeight);
 
 //! TileLayout::ofFaces() of a layout. \param charts of the UVs
