@@ -239,6 +239,20 @@ void TestCliBake::texturesAreCarried()
             QVERIFY(std::abs(before[0] - after[0]) < 0.02F && std::abs(before[1] - after[1]) < 0.02F);
         }
     }
+    // The figures are those of all pictures.
+    const auto texelsOf = [&](const QString &pictures) {
+        const test::CliRun figures =
+            runInProcess({u"transfer"_s, at("turned.obj"), u"--from"_s, at("low.obj"), u"--textures"_s,
+                          pictures, u"-o"_s, at("figures"), u"--report"_s, at("figures.json")});
+        return figures.code == 0 ? QJsonDocument::fromJson(test::readBytes(at("figures.json")))
+                                       .object()
+                                       .value(u"texels"_s)
+                                       .toInt()
+                                 : -1;
+    };
+    const int one = texelsOf(at("box_color.png"));
+    QVERIFY(one > 0);
+    QCOMPARE(texelsOf(at("box_color.png") + u',' + at("box_roughness.tif")), 2 * one);
     // Each that is named has to be there: else none is made.
     const test::CliRun missing =
         runInProcess({u"transfer"_s, at("turned.obj"), u"--from"_s, at("low.obj"), u"--textures"_s,

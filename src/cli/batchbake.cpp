@@ -323,7 +323,7 @@ Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &f
                                          sized ? options.unwrap.packing.textureSize : picture.width,
                                          sized ? options.unwrap.packing.height() : picture.height,
                                          picture.depth == PictureDepth::Float};
-        figures = bake::carryTexture(model, texture, sink, context.part(done / count, (done + 1) / count));
+        figures.add(bake::carryTexture(model, texture, sink, context.part(done / count, (done + 1) / count)));
     };
     const Result<CarriedFiles> carried = carryPictures(
         plan, state.scene.faceMaterial, bake,

@@ -30,9 +30,6 @@ struct PictureTexts
 
 //! Four float numbers a pixel of the largest picture.
 constexpr qint64 maxFileBytes = 16 * maxPicturePixels;
-//! Of Qt, in MB: four numbers of 16 bits a pixel of the largest picture. Its own limit would refuse usual
-//! textures; sizes are checked before anything is decoded.
-constexpr int allocationLimit = 2200;
 
 bool isFloat(QImage::Format format)
 {
@@ -112,7 +109,7 @@ Result<DecodedPicture> readByQt(const QByteArray &bytes, const QString &path)
     constexpr qsizetype endOfTga = 26;
     if (bytes.size() < endOfTga)
         return brokenPicture(path);
-    QImageReader::setAllocationLimit(std::max(QImageReader::allocationLimit(), allocationLimit));
+    allowLargePictures();
     QBuffer buffer;
     buffer.setData(bytes);
     buffer.open(QIODevice::ReadOnly);

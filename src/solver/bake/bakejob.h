@@ -44,6 +44,15 @@ struct BakeFigures
     long long texels = 0, missed = 0, overlapped = 0; //!< see BakeResult
     //! As BakeSettings::maps; of all tiles. Not compared: files of floating point numbers and material IDs.
     std::vector<SeamDifference> seams;
+
+    //! Adds the counts of another job.
+    void add(const BakeFigures &other)
+    {
+        stopped = stopped || other.stopped;
+        texels += other.texels;
+        missed += other.missed;
+        overlapped += other.overlapped;
+    }
 };
 
 //! Receives a finished map: its number in BakeSettings::maps and its tile. Returns false to end the bake.

@@ -152,7 +152,7 @@ MapJobResult carryJob(const CarryInput &input, const QString &sessionPath, const
             choice.size > 0 ? std::max(1, int(std::lround(choice.size * tileHeight))) : picture.height;
         const bake::CarryTexture texture{picture.picture, picture.kind, picture.faces,
                                          width,           height,       picture.depth == PictureDepth::Float};
-        figures = bake::carryTexture(model, texture, sink, context.part(done / count, (done + 1) / count));
+        figures.add(bake::carryTexture(model, texture, sink, context.part(done / count, (done + 1) / count)));
     };
     const Result<CarriedFiles> carried = carryPictures(
         plan, scene.faceMaterial, bake,

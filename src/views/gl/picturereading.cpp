@@ -76,9 +76,7 @@ std::optional<QImage> readByOurselves(QIODevice &device, const PictureRequest &r
 QImage readFrom(QIODevice &device, const PictureRequest &request, int longest, PictureNumbers numbers,
                 QString &problem)
 {
-    // Qt's own limit of 128 MB would refuse usual textures; ours are checked before anything is decoded.
-    static const bool limited = (QImageReader::setAllocationLimit(1100), true);
-    Q_UNUSED(limited)
+    allowLargePictures();
     if (!device.open(QIODevice::ReadOnly)) {
         problem = text(QT_TRANSLATE_NOOP("Pictures", "it cannot be opened"));
         return {};

@@ -1,8 +1,10 @@
 #include "model/io/pictures/picturesize.h"
 
 #include <QCoreApplication>
+#include <QImageReader>
 
 #include <algorithm>
+#include <mutex>
 
 namespace autocuts {
 
@@ -32,6 +34,14 @@ Result<Done> checkPictureSize(qint64 width, qint64 height, qint64 fileBytes, con
     if (width * height > fewPixels && width * height / pixelsPerByte > fileBytes)
         return brokenPicture(path, SizeTexts::tr("it is too short"));
     return Done{};
+}
+
+void allowLargePictures()
+{
+    // In MB: four numbers of 16 bits a pixel of the largest picture.
+    constexpr auto megabytes = static_cast<int>(8 * maxPicturePixels / (1024 * 1024));
+    static std::once_flag once;
+    std::call_once(once, [] { QImageReader::setAllocationLimit(megabytes + megabytes / 16); });
 }
 
 Error brokenPicture(const QString &path, const QString &reason)
