@@ -1,10 +1,12 @@
 // Long work off the GUI thread: results, progress, cancel, failure.
 #include "support/patience.h"
 #include "views/control/jobrunner.h"
+#include "views/ui/pooltask.h"
 
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
+#include <QTimer>
 
 #include <stdexcept>
 
@@ -102,6 +104,71 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(begun, test::patience);
         runner.cancel();
         QTRY_VERIFY_WITH_TIMEOUT(result > 0, test::patience);
+    }
+
+    //! The memory of a cancelled job is free when it has ended, and the next one may get it.
+    void theJobAfterACancelledOneStays()
+    {
+        for (int i = 0; i < 5; ++i) {
+            JobRunner runner;
+            runner.start(QStringLiteral("Counting"), countUntilStopped, [](int) {});
+            runner.cancel();
+            QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), test::patience);
+            std::atomic<bool> release = false;
+            runner.start(
+                QStringLiteral("Next"),
+                [&release](JobControl &) {
+                    while (!release)
+                        QThread::msleep(1);
+                    return 1;
+                },
+                [](int) {});
+            bool tookLong = false;
+            QTimer::singleShot(2 * JobRunner::cancelPatience, this, [&] { tookLong = true; });
+            QTRY_VERIFY_WITH_TIMEOUT(tookLong, test::patience);
+            QVERIFY(runner.isBusy());
+            release = true;
+            runner.waitForDone();
+        }
+    }
+
+    //! Work on a pool that fails ends alone, not the program.
+    void workOnAPoolFailsAlone_data()
+    {
+        QTest::addColumn<QString>("what");
+        for (const char *what : {"nothing", "memory", "error"})
+            QTest::newRow(what) << QString::fromLatin1(what);
+    }
+    void workOnAPoolFailsAlone()
+    {
+        QFETCH(const QString, what);
+        QThreadPool pool;
+        int result = 0;
+        QString message;
+        bool inGuiThread = false;
+        const auto isHere = [&] { inGuiThread = QThread::currentThread() == thread(); };
+        runOnPool(
+            pool,
+            [what] {
+                if (what == u"memory")
+                    throw std::bad_alloc();
+                if (what == u"error")
+                    throw std::runtime_error("the error");
+                return 7;
+            },
+            [&](int value) {
+                isHere();
+                result = value;
+            },
+            [&](const QString &text) {
+                isHere();
+                message = text;
+            });
+        QTRY_VERIFY_WITH_TIMEOUT(inGuiThread, test::patience);
+        QCOMPARE(result, what == u"nothing" ? 7 : 0);
+        QCOMPARE(message, what == u"memory"  ? noMemoryText()
+                          : what == u"error" ? QStringLiteral("the error")
+                                             : QString());
     }
 
     void aJobThatIsLetGoIsForgotten()

@@ -1,10 +1,9 @@
 #include "views/canvas/texturefile.h"
 
 #include "views/gl/picturereading.h"
+#include "views/ui/pooltask.h"
 
-#include <QCoreApplication>
 #include <QPointer>
-#include <QThreadPool>
 
 namespace autocuts {
 
@@ -18,16 +17,19 @@ void TextureFile::setPath(const QString &path)
     if (path.isEmpty())
         return;
     // The result is passed to the GUI thread and ignored there when another file has been chosen.
-    QThreadPool::globalInstance()->start([path, self = QPointer<TextureFile>(this)] {
-        QStringList problems; // whoever set the path has looked whether there is a picture
-        const auto takeOver = [path, self, pictures = readPictures({{path, {}, path}}, problems)] {
-            if (!self || self->mPath != path)
-                return;
-            self->mPictures = pictures;
-            Q_EMIT self->changed();
-        };
-        QMetaObject::invokeMethod(QCoreApplication::instance(), takeOver, Qt::QueuedConnection);
-    });
+    const auto show = [path, self = QPointer<TextureFile>(this)](const Pictures &pictures) {
+        if (!self || self->mPath != path)
+            return;
+        self->mPictures = pictures;
+        Q_EMIT self->changed();
+    };
+    runOnPool(
+        *QThreadPool::globalInstance(),
+        [path] {
+            QStringList problems; // whoever set the path has looked whether there is a picture
+            return readPictures({{path, {}, path}}, problems);
+        },
+        show, [show](const QString &) { show({}); });
 }
 
 } // namespace autocuts

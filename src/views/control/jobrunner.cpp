@@ -1,5 +1,7 @@
 #include "views/control/jobrunner.h"
 
+#include "views/ui/pooltask.h"
+
 #include <QCoreApplication>
 #include <QTimer>
 
@@ -49,8 +51,7 @@ private:
         try {
             work(*mControl);
         } catch (const std::bad_alloc &) {
-            mError =
-                JobRunner::tr("There is not enough memory. Close other programs or use a smaller model.");
+            mError = noMemoryText();
         } catch (const std::exception &e) {
             mError = QString::fromUtf8(e.what());
         }
@@ -167,13 +168,11 @@ void JobRunner::cancel()
     if (!mControl || mControl->mStop)
         return;
     mControl->mStop = true;
-    QTimer::singleShot(cancelPatience, this, [this, control = mControl.get()] { releaseCancelled(control); });
-}
-
-void JobRunner::releaseCancelled(const JobControl *control)
-{
-    if (mControl.get() == control)
-        letGo(std::exchange(mDone, nullptr));
+    QTimer::singleShot(cancelPatience, this, [this, cancelled = std::weak_ptr(mControl)] {
+        // Its address alone would not do: a job that started meanwhile may have it.
+        if (mControl && mControl == cancelled.lock())
+            letGo(std::exchange(mDone, nullptr));
+    });
 }
 
 void JobRunner::abandon()

@@ -103,7 +103,6 @@ private:
     void showStage();
     void takeEnded();
     void jobEnded(Thread *thread);
-    void releaseCancelled(const JobControl *control);
     void letGo(std::function<void()> done);
 
     OnCancel mOnCancel;

@@ -6,9 +6,10 @@
 #include "views/control/bakejobs.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
+#include "views/ui/pooltask.h"
 
-#include <QCoreApplication>
 #include <QImage>
+#include <QPointer>
 
 #include <array>
 #include <cmath>
@@ -188,21 +189,30 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
         model.scene.uvSets.clear();
     BakeChoice one = choice;
     one.maps = {map};
-    mThreads.start([this, model, one, flag = mStop, packing = document->packingSettings()] {
-        QStringList warnings;
-        Result<bake::BakeJob> job = makeBakeJob(model, packing, one, *flag, warnings);
-        if (*flag)
-            return;
-        if (!job) {
-            const QString message = job.error().toString();
-            QMetaObject::invokeMethod(this, [this, flag, message] { fail(flag, message); });
-            return;
-        }
-        LiveBakeModel live;
-        live.job = std::make_shared<const bake::BakeJob>(std::move(job).value());
-        auto shared = std::make_shared<const LiveBakeModel>(std::move(live));
-        QMetaObject::invokeMethod(this, [this, flag, shared] { takeOver(flag, shared, 0); });
-    });
+    struct Made
+    {
+        std::shared_ptr<const LiveBakeModel> model;
+        QString problem;
+    };
+    const QPointer<LiveBake> self(this);
+    runOnPool(
+        mThreads,
+        [model, one, flag = mStop, packing = document->packingSettings()] {
+            QStringList warnings;
+            Result<bake::BakeJob> job = makeBakeJob(model, packing, one, *flag, warnings);
+            if (!job)
+                return Made{nullptr, job.error().toString()};
+            LiveBakeModel live;
+            live.job = std::make_shared<const bake::BakeJob>(std::move(job).value());
+            return Made{std::make_shared<const LiveBakeModel>(std::move(live)), {}};
+        },
+        [self, flag = mStop](const Made &made) {
+            if (self && made.model)
+                self->takeOver(flag, made.model, 0);
+            else if (self)
+                self->fail(flag, made.problem);
+        },
+        failing());
     Q_EMIT changed();
 }
 
@@ -291,22 +301,29 @@ void LiveBake::stop()
 
 void LiveBake::refine(std::shared_ptr<const LiveBakeModel> model, int pass)
 {
-    mThreads.start([this, model = std::move(model), pass, flag = mStop] {
-        const bake::BakeJob &job = *model->job;
-        const bake::Frame frame = bake::Frame::of(*job.low.mesh);
-        const bake::Projection projection =
-            job.kind == bake::SourceKind::Detailed
-                ? bake::Projection(job.low, *job.high, frame, job.settings.cage)
-                : bake::Projection(job.low, job.low, frame);
-        bake::RaySettings rays = job.settings.rays;
-        rays.rays = passes[pass].rays;
-        auto next = std::make_shared<LiveBakeModel>(*model);
-        next->samples = std::make_shared<const bake::SurfaceSamples>(
-            job.low, projection, frame, job.settings.maps.front(), rays, bake::encodingOf(job, frame),
-            passes[pass].points, JobContext(flag.get()));
-        if (!*flag)
-            QMetaObject::invokeMethod(this, [this, flag, next, pass] { takeOver(flag, next, pass + 1); });
-    });
+    const QPointer<LiveBake> self(this);
+    runOnPool(
+        mThreads,
+        [model = std::move(model), pass, flag = mStop] {
+            const bake::BakeJob &job = *model->job;
+            const bake::Frame frame = bake::Frame::of(*job.low.mesh);
+            const bake::Projection projection =
+                job.kind == bake::SourceKind::Detailed
+                    ? bake::Projection(job.low, *job.high, frame, job.settings.cage)
+                    : bake::Projection(job.low, job.low, frame);
+            bake::RaySettings rays = job.settings.rays;
+            rays.rays = passes[pass].rays;
+            auto next = std::make_shared<LiveBakeModel>(*model);
+            next->samples = std::make_shared<const bake::SurfaceSamples>(
+                job.low, projection, frame, job.settings.maps.front(), rays, bake::encodingOf(job, frame),
+                passes[pass].points, JobContext(flag.get()));
+            return std::shared_ptr<const LiveBakeModel>(std::move(next));
+        },
+        [self, flag = mStop, pass](const std::shared_ptr<const LiveBakeModel> &next) {
+            if (self)
+                self->takeOver(flag, next, pass + 1);
+        },
+        failing());
 }
 
 void LiveBake::takeOver(const StopFlag &flag, const std::shared_ptr<const LiveBakeModel> &model, int pass)
@@ -331,11 +348,26 @@ void LiveBake::layAgain()
         return;
     mLaying = true;
     const double tileHeight = document->packingSettings().tileHeight();
-    mThreads.start([this, model = mModel, flag = mStop, uv = mShownMap.uv(), tileHeight] {
-        const std::map<int, QImage> tiles = laidImages(*model, uv, tileHeight, *flag);
-        if (!*flag)
-            QMetaObject::invokeMethod(this, [this, flag, tiles] { show(flag, tiles); });
-    });
+    const QPointer<LiveBake> self(this);
+    runOnPool(
+        mThreads,
+        [model = mModel, flag = mStop, uv = mShownMap.uv(), tileHeight] {
+            return laidImages(*model, uv, tileHeight, *flag);
+        },
+        [self, flag = mStop](const std::map<int, QImage> &tiles) {
+            if (self)
+                self->show(flag, tiles);
+        },
+        failing());
+}
+
+//! What takes the message of work that failed.
+std::function<void(const QString &)> LiveBake::failing()
+{
+    return [self = QPointer<LiveBake>(this), flag = mStop](const QString &message) {
+        if (self)
+            self->fail(flag, message);
+    };
 }
 
 void LiveBake::show(const StopFlag &flag, const std::map<int, QImage> &tiles)

@@ -80,11 +80,12 @@ private:
     void show(const StopFlag &flag, const std::map<int, QImage> &tiles);
     void showReceived();
     void followMap();
+    std::function<void(const QString &)> failing();
     void fail(const StopFlag &flag, const QString &message);
 
     const Workspace &mWorkspace;
     const ShownMap &mShownMap;
-    QThreadPool mThreads; //!< one traces, one lays
+    QThreadPool mThreads; //!< one thread traces rays, one fills pixels
     StopFlag mStop;       //!< of what is under way; null: off
     BakeChoice mChoice;
     QString mMap;

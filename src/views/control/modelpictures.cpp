@@ -4,12 +4,11 @@
 #include "views/control/workspace.h"
 #include "views/gl/picturereading.h"
 #include "views/gl/texturelayers.h"
+#include "views/ui/pooltask.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QPointer>
-#include <QThreadPool>
 
 #include <algorithm>
 #include <map>
@@ -227,9 +226,13 @@ void ModelPictures::loadIfShown()
     mStale = false;
     mLoading = std::make_shared<std::atomic<bool>>(false);
     // The result is passed to the GUI thread, and ignored there when something else is wanted meanwhile.
-    QThreadPool::globalInstance()->start(
+    const auto isWanted = [self = QPointer<ModelPictures>(this), stop = mLoading] {
+        return self && self->mLoading == stop;
+    };
+    runOnPool(
+        *QThreadPool::globalInstance(),
         [wanted = Wanted::by(document->state(), pattern == Pattern::Materials), path = scene.path,
-         stop = mLoading, self = QPointer<ModelPictures>(this)]() mutable {
+         stop = mLoading]() mutable {
             Loaded loaded;
             loaded.setOfMaterial = wanted.setOfMaterial;
             wanted.resolve(path);
@@ -240,13 +243,18 @@ void ModelPictures::loadIfShown()
             for (const TextureSetRequest &set : wanted.sets)
                 loaded.haveNormals = loaded.haveNormals || set.channels.contains(TextureChannel::Normal) ||
                                      set.channels.contains(TextureChannel::Height);
-            QMetaObject::invokeMethod(
-                QCoreApplication::instance(),
-                [self, stop, loaded] {
-                    if (self && self->mLoading == stop)
-                        self->takeOver(loaded);
-                },
-                Qt::QueuedConnection);
+            return loaded;
+        },
+        [this, isWanted](const Loaded &loaded) {
+            if (isWanted())
+                takeOver(loaded);
+        },
+        [this, isWanted](const QString &message) {
+            if (!isWanted())
+                return;
+            Loaded nothing;
+            nothing.problems << message;
+            takeOver(nothing);
         });
 }
 

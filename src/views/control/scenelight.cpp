@@ -1,10 +1,9 @@
 #include "views/control/scenelight.h"
 
 #include "model/io/picturefiles.h"
+#include "views/ui/pooltask.h"
 
-#include <QCoreApplication>
 #include <QPointer>
-#include <QThreadPool>
 
 namespace autocuts {
 
@@ -32,26 +31,36 @@ void SceneLight::prepare()
         *mLoading = true;
     mLoading = std::make_shared<std::atomic<bool>>(false);
     // The result is passed to the GUI thread, and ignored there when something else is wanted meanwhile.
-    QThreadPool::globalInstance()->start(
-        [kind = mKind, path, stop = mLoading, self = QPointer<SceneLight>(this)] {
-            QString problem;
+    struct Light
+    {
+        std::shared_ptr<const Environment> environment;
+        QString problem;
+    };
+    const auto isWanted = [self = QPointer<SceneLight>(this), stop = mLoading] {
+        return self && self->mLoading == stop;
+    };
+    runOnPool(
+        *QThreadPool::globalInstance(),
+        [kind = mKind, path, stop = mLoading] {
+            Light light;
             Picture panorama;
             if (kind != Surroundings::File) {
                 panorama = kind == Surroundings::Sky ? skyPanorama() : studioPanorama();
             } else if (auto read = readPicture(path)) {
                 panorama = std::move(read).value();
             } else {
-                problem = read.error().toString();
+                light.problem = read.error().toString();
             }
-            const auto environment =
-                std::make_shared<const Environment>(prepareEnvironment(panorama, stop.get()));
-            QMetaObject::invokeMethod(
-                QCoreApplication::instance(),
-                [self, stop, environment, problem] {
-                    if (self && self->mLoading == stop)
-                        self->takeOver(environment, problem);
-                },
-                Qt::QueuedConnection);
+            light.environment = std::make_shared<const Environment>(prepareEnvironment(panorama, stop.get()));
+            return light;
+        },
+        [this, isWanted](Light light) {
+            if (isWanted())
+                takeOver(std::move(light.environment), light.problem);
+        },
+        [this, isWanted](const QString &message) {
+            if (isWanted())
+                takeOver(nullptr, message);
         });
     Q_EMIT changed();
 }
@@ -59,7 +68,7 @@ void SceneLight::prepare()
 void SceneLight::takeOver(std::shared_ptr<const Environment> environment, const QString &problem)
 {
     mLoading.reset();
-    if (!environment->isEmpty())
+    if (environment && !environment->isEmpty())
         mEnvironment = std::move(environment);
     Q_EMIT changed();
     if (!problem.isEmpty())
