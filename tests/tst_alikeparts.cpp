@@ -1,7 +1,12 @@
 // Parts that are copies of each other: how they are found, and that an unwrap gives them the same seams.
+#include "model/plain/chartcopies.h"
 #include "model/plain/copymatcher.h"
+#include "model/plain/rigidpieces.h"
 #include "model/plain/texelweights.h"
+#include "model/plain/uvlayout.h"
+#include "solver/base/cutmesh.h"
 #include "solver/base/soup.h"
+#include "solver/metrics/uvmetrics.h"
 #include "solver/search/seamoptimizer.h"
 #include "solver/unwrap/alikeparts.h"
 #include "solver/unwrap/unwrap.h"
@@ -12,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 using namespace autocuts;
@@ -71,6 +77,7 @@ private Q_SLOTS:
     void whatDiffersIsNoCopy();
     void unwrapCutsCopiesAlike_data();
     void unwrapCutsCopiesAlike();
+    void unwrapStacksCopies();
     void theBestCopyStandsForAll();
     void aStopEndsTheComparison();
 };
@@ -249,6 +256,51 @@ void TestAlikeParts::unwrapCutsCopiesAlike()
     const unwrap::UnwrapResult apart = unwrap::unwrapMesh(snapshot, options);
     QVERIFY2(result.seamLength < 1.1 * apart.seamLength,
              qPrintable(QStringLiteral("%1 beside %2").arg(result.seamLength).arg(apart.seamLength)));
+}
+
+//! Copies lie on each other, also when they did before; what the user locked or grouped stays out of it.
+void TestAlikeParts::unwrapStacksCopies()
+{
+    const test::MeshPtr mesh = scene(lopsided(), 5).mesh();
+    Snapshot snapshot = snapshotOf(mesh);
+    snapshot.settings.alike = AlikeMode::Stack;
+    unwrap::UnwrapOptions options;
+    options.quality = unwrap::UnwrapQuality::Draft;
+    const MeshAdjacency adjacency(*mesh);
+    for (const bool again : {false, true}) {
+        const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot, options);
+        QVERIFY(result.packed && result.withinBound);
+        QCOMPARE(result.flags.size(), std::size_t(mesh->faceCount()));
+        const ChartMap charts = chartsOf(*mesh, CutMesh(*mesh, result.cut));
+        std::vector<int> all(charts.count);
+        std::iota(all.begin(), all.end(), 0);
+        int copies = 0, mirrored = 0;
+        for (const AlikeCharts &kind : findAlikeCharts(*mesh, adjacency, charts, all)) {
+            for (const ChartCopy &copy : kind.copies) {
+                ++copies;
+                mirrored += copy.mirrored;
+                for (std::size_t c = 0; c < copy.corner.size(); ++c)
+                    QCOMPARE(Vec2(result.uv.row(copy.corner[c])), Vec2(result.uv.row(copy.source[c])));
+            }
+        }
+        QVERIFY(copies >= 3 && mirrored > 0);
+        const std::vector<int> stacks = stackOfCharts(charts, result.flags);
+        QVERIFY(std::count_if(stacks.begin(), stacks.end(), [](int stack) { return stack > 0; }) > copies);
+        metrics::UvMetricsOptions figures;
+        figures.faceFlags = result.flags;
+        const metrics::UvMetrics measured = metrics::measureUv(*mesh, result.uv, figures);
+        QCOMPARE(measured.overlapPairs, 0);
+        QVERIFY(measured.stackedPairs > 0);
+        if (again)
+            break;
+        snapshot.uv = std::make_shared<const UvMatrix>(result.uv);
+        snapshot.uvScale = layoutScale(*mesh, result.uv);
+        snapshot.editSteering().faceFlags = result.flags;
+    }
+    snapshot.editSteering().faceFlags.assign(mesh->faceCount(), {});
+    for (IslandFlags &flags : snapshot.editSteering().faceFlags)
+        flags.group = 1;
+    QVERIFY(unwrap::unwrapMesh(snapshot, options).nothingFree);
 }
 
 //! A live solve cuts each copy on its own; then all get the map of the best one.

@@ -2,7 +2,8 @@
 #include "commands/setislandflags.h"
 #include "commands/stackislands.h"
 #include "model/document/arrangement.h"
-#include "model/document/similarislands.h"
+#include "model/document/document.h"
+#include "model/plain/chartcopies.h"
 #include "support/pieces.h"
 
 #include <QTest>
@@ -181,17 +182,24 @@ private Q_SLOTS:
 
     void copiesAreFound()
     {
-        const auto document = test::partsDocument({{}, {{1, 0}, 2.1, 0.7}, {{2, 0}, 0, 1, true}});
-        const auto copied = [&](int from, int to) {
-            return copyOf(document->mesh(), document->adjacency(), document->islands(), from, to);
-        };
-        std::vector<int> own(test::partCorners);
-        std::iota(own.begin(), own.end(), 0);
-        QCOMPARE(copied(0, 0).corners, own);
-        QCOMPARE(copied(0, 1).corners, own); // the same order of corners
-        QVERIFY(!copied(0, 1).mirrored);
-        QVERIFY(copied(0, 2).mirrored && copied(2, 1).mirrored);
-        QCOMPARE(copied(0, 2).corners.size(), own.size());
+        const auto document =
+            test::partsDocument({{}, {{1, 0}, 2.1, 0.7}, {{2, 0}, 0, 1, true}, {{0, 1}, 0, 2}});
+        const std::vector<AlikeCharts> kinds = findAlikeCharts(document->mesh(), document->adjacency(),
+                                                               document->islands().charts(), {1, 3, 0, 2});
+        QCOMPARE(kinds.size(), std::size_t(1));
+        QCOMPARE(kinds[0].original, 1);
+        QCOMPARE(kinds[0].copies.size(), std::size_t(3));
+        std::vector<int> own(test::partCorners), first(test::partCorners);
+        std::iota(own.begin(), own.end(), test::partCorners);
+        std::iota(first.begin(), first.end(), 0);
+        for (const ChartCopy &copy : kinds[0].copies) {
+            QCOMPARE(copy.mirrored, copy.chart == 2);
+            QCOMPARE(copy.corner.size(), own.size());
+            if (copy.chart != 0)
+                continue;
+            QCOMPARE(copy.corner, first);
+            QCOMPARE(copy.source, own); // the same order of corners
+        }
     }
 
     void stacksLieOnEachOther()

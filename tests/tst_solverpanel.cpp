@@ -263,11 +263,11 @@ private Q_SLOTS:
         flat->setFocus();
         QTest::keyClick(flat, Qt::Key_Space);
         QCOMPARE(bench.settings().flat, FlatMode::Free);
-        auto *const alike = child<QCheckBox>(bench.panel, "alike");
-        QVERIFY(alike->isChecked());
+        auto *const alike = child<QComboBox>(bench.panel, "alike");
+        QCOMPARE(alike->currentData().toInt(), int(AlikeMode::SameCuts));
         alike->setFocus();
-        QTest::keyClick(alike, Qt::Key_Space);
-        QCOMPARE(bench.settings().alike, AlikeMode::Off);
+        QTest::keyClick(alike, Qt::Key_End);
+        QCOMPARE(bench.settings().alike, AlikeMode::Stack);
         auto *const up = child<QComboBox>(bench.panel, "worldUp");
         up->setFocus();
         QTest::keyClick(up, Qt::Key_End);

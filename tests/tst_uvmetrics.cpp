@@ -362,6 +362,9 @@ private Q_SLOTS:
         options.faceFlags[0].stack = options.faceFlags[1].stack = 3;
         const UvMetrics metrics = measureUv(*obj.mesh, obj.uv, options);
         QCOMPARE(metrics.stackedPairs, std::int64_t(2));
+        QVERIFY(std::abs(metrics.packingUnit - 3 * 0.09) < 1e-12); // a stack covers its place once
+        QCOMPARE(metrics.tiles.size(), std::size_t(1));
+        QVERIFY(std::abs(metrics.tiles[0].efficiency - 3 * 0.09) < 1e-12);
         QCOMPARE(metrics.overlapPairs, std::int64_t(2));
         QCOMPARE(metrics.overlappingTriangles, std::int64_t(4));
         QVERIFY(same(metrics.overlapAreaRatio, 0.25));

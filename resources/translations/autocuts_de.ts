@@ -9118,12 +9118,24 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Wie das Modell ist. Harte Oberfläche: ebene Flächen mit scharfen Kanten; diese behalten ihre Form und bekommen die Nähte. Organisch: gekrümmt, so dass die Dehnung überall hin darf. Erkennen: jedes Teil für sich</translation>
     </message>
     <message>
-        <source>Same cuts for alike parts</source>
-        <translation>Gleiche Schnitte für gleiche Teile</translation>
+        <source>Each on its own</source>
+        <translation>Jedes für sich</translation>
     </message>
     <message>
-        <source>Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of them is solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand are left out</source>
-        <translation>Teile, die Kopien voneinander sind, auch gespiegelte, bekommen dieselben Nähte und Inseln: Nur eines davon wird gelöst, was schneller ist, und die Inseln lassen sich stapeln. Teile, die Sie von Hand schneiden oder verbinden, sind ausgenommen</translation>
+        <source>Same cuts</source>
+        <translation>Gleiche Schnitte</translation>
+    </message>
+    <message>
+        <source>Same cuts, stacked</source>
+        <translation>Gleiche Schnitte, gestapelt</translation>
+    </message>
+    <message>
+        <source>Alike parts</source>
+        <translation>Gleiche Teile</translation>
+    </message>
+    <message>
+        <source>Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of them is solved, which is faster. Stacked: Unwrap also lays islands that are copies on each other. Parts that you cut or join by hand are left out</source>
+        <translation>Teile, die Kopien voneinander sind, auch gespiegelte, bekommen dieselben Nähte und Inseln: Nur eines davon wird gelöst, was schneller ist. Gestapelt: Abwickeln legt außerdem Inseln, die Kopien sind, aufeinander. Teile, die Sie von Hand schneiden oder verbinden, sind ausgenommen</translation>
     </message>
 </context>
 <context>

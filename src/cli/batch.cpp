@@ -267,6 +267,7 @@ private:
         mProgress.clear();
         if (!made)
             return fail(made.error());
+        mFiles.setIslandFlags(made->flags);
         return writeResults(scene.value(), made.value());
     }
 

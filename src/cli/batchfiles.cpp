@@ -246,6 +246,8 @@ Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &s
 
 std::vector<IslandFlags> BatchFiles::islandFlags() const
 {
+    if (!mNewFlags.empty())
+        return mNewFlags;
     return mDocument ? mDocument->marks().faceFlags : std::vector<IslandFlags>();
 }
 
@@ -286,7 +288,7 @@ Result<Done> BatchFiles::writeSession(const Scene &scene, const CliOptions &opti
     }
     if (!scene.uvSets.empty())
         pushCommand(newMapCommand(*mDocument, editOf(options.command, !options.only.isEmpty()),
-                                  scene.uvSets.front().uv));
+                                  scene.uvSets.front().uv, std::nullopt, mNewFlags));
     ProjectExtras extras;
     extras.journal = mRecorder->journal();
     LayoutOptions layout;

@@ -35,6 +35,8 @@ public:
 
     //! The flags of the session's islands, per face; empty without a session.
     std::vector<IslandFlags> islandFlags() const;
+    //! Sets the flags that the islands have from now on. \param flags per face; empty: they stay
+    void setIslandFlags(std::vector<IslandFlags> flags) { mNewFlags = std::move(flags); }
 
     //! The UV sets of the input, in the order of the file.
     const std::vector<UvSet> &uvSets() const;
@@ -62,9 +64,10 @@ private:
     Scene activeFirst() const;
     Result<Done> writeSession(const Scene &scene, const CliOptions &options);
 
-    Scene mOriginal;    //!< the scene of a mesh file as it was read, with the new UV set
-    int mActiveSet = 0; //!< of mOriginal
-    QStringList mNotes; //!< about the session
+    Scene mOriginal;                    //!< the scene of a mesh file as it was read, with the new UV set
+    int mActiveSet = 0;                 //!< of mOriginal
+    std::vector<IslandFlags> mNewFlags; //!< per face; empty: those of the document
+    QStringList mNotes;                 //!< about the session
     QStringList mWarnings;
     std::unique_ptr<Document> mDocument; //!< null unless a session was read
     std::unique_ptr<JournalRecorder> mRecorder;

@@ -140,9 +140,12 @@ std::vector<CliOption> solvingOptions()
             "--max-distortion allows goes to the curved rest; or it may go anywhere. No matter with --lambda"_s),
         choice(
             group, u"--alike"_s, fieldOf(&SolveSettings::alike),
-            {{u"off"_s, AlikeMode::Off}, {u"same-cuts"_s, AlikeMode::SameCuts}},
+            {{u"off"_s, AlikeMode::Off},
+             {u"same-cuts"_s, AlikeMode::SameCuts},
+             {u"stack"_s, AlikeMode::Stack}},
             u"connected parts that are copies of each other, also mirrored ones, get the same seams, which "
-            "is faster, too; or each is cut on its own"_s),
+            "is faster, too; stack also lays islands that are copies on each other, mirrored ones turned "
+            "over; off: each is cut on its own"_s),
         choice(group, u"--creases"_s, fieldOf(&SolveSettings::creases),
                {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
                u"put seams along sharp edges; auto does so on parts that are hard surfaces"_s),

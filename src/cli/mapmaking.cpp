@@ -70,6 +70,7 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
     if (mOptions.unwrap.pack && !result.packed)
         return noRoomError(mOptions);
     setUv(scene, result.uv);
+    outcome.flags = result.flags;
     if (const Result<Done> packed = packIntoTiles(snapshot.value(), scene, outcome); !packed)
         return packed.error();
     if (result.onlyPatches)
@@ -122,6 +123,8 @@ Result<Done> MapMaking::packIslands(const Snapshot &snapshot, Scene &scene, Made
     Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, snapshot);
     if (!pack)
         return pack.error();
+    if (!made.flags.empty())
+        pack->faceFlags = made.flags;
     ChartMap charts = findCharts(mesh, uv);
     if (const JobScope *scope = snapshot.scope.get()) {
         if (!scope->attached)

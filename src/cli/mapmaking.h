@@ -17,6 +17,7 @@ struct MadeMap
     std::optional<int> iterations;
     double lambda = MapReport::unknown, delta = MapReport::unknown;
     double hardShare = MapReport::unknown; //!< see unwrap::UnwrapResult
+    std::vector<IslandFlags> flags;        //!< per face, with new stacks; empty: they stay
     bool boundMissed = false;
     QStringList notes;    //!< what was done
     QStringList warnings; //!< what was requested and could not be done

@@ -25,13 +25,10 @@ int changedIslands(const Document &document, const UvMatrix &uv)
 } // namespace
 
 std::unique_ptr<SetUvs> newMapCommand(Document &document, UvEdit edit, const UvMatrix &uv,
-                                      std::optional<int> count, const std::vector<int> &aligned)
+                                      std::optional<int> count, const std::vector<IslandFlags> &flags)
 {
     UvEditExtras extras;
-    if (!aligned.empty())
-        extras.flags = document.marks().faceFlags;
-    for (const int face : aligned)
-        extras.flags[face].aligned = 1;
+    extras.flags = flags;
     extras.count = count ? *count : changedIslands(document, uv);
     if (sameBits(uv, document.uv()))
         return std::make_unique<SetUvs>(document, edit, uv, extras);

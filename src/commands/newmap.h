@@ -9,9 +9,9 @@ namespace autocuts {
 //! obey them.
 //! \param uv one row per corner, texture space
 //! \param count number in the history's text; without it, the number of islands that the map changes
-//! \param aligned faces of islands that count as aligned to the axes from now on
+//! \param flags new flags of the islands, per face; empty: they stay
 std::unique_ptr<SetUvs> newMapCommand(Document &document, UvEdit edit, const UvMatrix &uv,
                                       std::optional<int> count = std::nullopt,
-                                      const std::vector<int> &aligned = {});
+                                      const std::vector<IslandFlags> &flags = {});
 
 } // namespace autocuts

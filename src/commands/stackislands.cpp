@@ -2,6 +2,7 @@
 
 #include "commands/commandreading.h"
 #include "model/document/similarislands.h"
+#include "model/plain/chartcopies.h"
 #include "model/plain/uvlayout.h"
 
 #include <algorithm>
@@ -21,9 +22,9 @@ bool isLocked(const Document &document, int island)
     return document.marks().flagsOf(document.islands().faces(island)).locked != 0;
 }
 
-IslandCopy copied(const Document &document, int from, int to)
+std::vector<AlikeCharts> alike(const Document &document, const std::vector<int> &islands)
 {
-    return copyOf(document.mesh(), document.adjacency(), document.islands(), from, to);
+    return findAlikeCharts(document.mesh(), document.adjacency(), document.islands().charts(), islands);
 }
 
 //! True when an island lies in the map as a mirror image.
@@ -59,34 +60,23 @@ bool cover(const Eigen::AlignedBox2d &a, const Eigen::AlignedBox2d &b)
 
 StackIslands::Found StackIslands::copiesAmong(const Document &document, const std::vector<int> &islands)
 {
-    std::vector<int> open = islands;
-    const auto similar = [&](int island) {
-        return similarIslands(document.mesh(), document.adjacency(), document.islands(), island,
-                              Similarity::Shape);
-    };
-    if (open.size() == 1)
-        open = similar(open.front());
+    std::vector<int> candidates = islands;
+    if (candidates.size() == 1)
+        candidates = similarIslands(document.mesh(), document.adjacency(), document.islands(),
+                                    candidates.front(), Similarity::Shape);
     // Locked islands first, then by number.
-    std::sort(open.begin(), open.end());
-    std::stable_partition(open.begin(), open.end(), [&](int i) { return isLocked(document, i); });
+    std::sort(candidates.begin(), candidates.end());
+    std::stable_partition(candidates.begin(), candidates.end(),
+                          [&](int island) { return isLocked(document, island); });
     Found found;
-    while (!open.empty()) {
-        const int first = open.front();
-        open.erase(open.begin());
-        const std::vector<int> candidates = similar(first);
-        std::vector<int> stack{first}, others;
-        for (int island : open) {
-            IslandCopy copy;
-            if (std::binary_search(candidates.begin(), candidates.end(), island))
-                copy = copied(document, first, island);
-            if (copy.corners.empty())
-                others.push_back(island);
-            else if (!isLocked(document, island)) {
-                stack.push_back(island);
-                found.mirrored += copy.mirrored;
-            }
+    for (const AlikeCharts &kind : alike(document, candidates)) {
+        std::vector<int> stack{kind.original};
+        for (const ChartCopy &copy : kind.copies) {
+            if (isLocked(document, copy.chart))
+                continue;
+            stack.push_back(copy.chart);
+            found.mirrored += copy.mirrored;
         }
-        open = std::move(others);
         if (stack.size() > 1)
             found.stacks.push_back(std::move(stack));
     }
@@ -99,12 +89,13 @@ std::unique_ptr<StackIslands> StackIslands::stack(Document &document,
     UvMatrix uv = document.uv();
     UvEditExtras extras;
     for (const std::vector<int> &stack : stacks) {
-        for (std::size_t i = 1; i < stack.size(); ++i) {
-            const std::vector<int> corners = document.islands().corners(document.mesh(), {stack[i]});
-            const std::vector<int> sources = copied(document, stack.front(), stack[i]).corners;
-            for (std::size_t c = 0; c < sources.size(); ++c)
-                move(uv, extras.pins, document, corners[c], document.uv().row(sources[c]).transpose());
-            ++extras.count;
+        for (const AlikeCharts &kind : alike(document, stack)) {
+            for (const ChartCopy &copy : kind.copies) {
+                for (std::size_t c = 0; c < copy.corner.size(); ++c)
+                    move(uv, extras.pins, document, copy.corner[c],
+                         document.uv().row(copy.source[c]).transpose());
+                ++extras.count;
+            }
         }
     }
     std::sort(extras.pins.begin(), extras.pins.end(),

@@ -272,7 +272,7 @@ SolveSettings readSolveSettings(CborReader &reader)
     read("surface"_L1, settings.surface,
          [&] { return reader.enumerator("surface"_L1, SurfaceKind::HardSurface); });
     read("flat"_L1, settings.flat, [&] { return reader.enumerator("flat"_L1, FlatMode::Free); });
-    read("alike"_L1, settings.alike, [&] { return reader.enumerator("alike"_L1, AlikeMode::SameCuts); });
+    read("alike"_L1, settings.alike, [&] { return reader.enumerator("alike"_L1, AlikeMode::Stack); });
     read("creases"_L1, settings.creases, [&] { return reader.enumerator("creases"_L1, CreaseMode::On); });
     read("creaseStrength"_L1, settings.creaseStrength,
          [&] { return reader.number("creaseStrength"_L1, 0, 1); });

@@ -59,6 +59,7 @@ class Islands
 public:
     Islands(const MeshData &mesh, const UvMatrix &uv);
 
+    const ChartMap &charts() const { return mCharts; }
     int count() const { return mCharts.count; }
     int faceCount() const { return static_cast<int>(mCharts.faceChart.size()); }
     //! The island of a face; -1 when the face has no UVs.

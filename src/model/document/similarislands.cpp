@@ -37,23 +37,4 @@ std::vector<int> similarIslands(const MeshData &mesh, const MeshAdjacency &adjac
     return result;
 }
 
-IslandCopy copyOf(const MeshData &mesh, const MeshAdjacency &adjacency, const Islands &islands, int from,
-                  int to)
-{
-    CopyMatcher matcher(mesh, adjacency, islands.ofFaces(), islands.allFaces());
-    IslandCopy copy;
-    const auto matches = [&](bool mirrored) {
-        return matcher.match(from, to, mirrored, matcher.colours(from), matcher.colours(to));
-    };
-    if (!matches(false)) {
-        copy.mirrored = true;
-        if (!matches(true))
-            return {};
-    }
-    copy.corners = islands.corners(mesh, {to});
-    for (int &corner : copy.corners)
-        corner = matcher.sourceCorner(corner);
-    return copy;
-}
-
 } // namespace autocuts

@@ -21,18 +21,4 @@ enum class Similarity {
 std::vector<int> similarIslands(const MeshData &mesh, const MeshAdjacency &adjacency, const Islands &islands,
                                 int island, Similarity similarity);
 
-//! How an island matches another one.
-struct IslandCopy
-{
-    //! For every corner of the copy, in the order of Islands::corners(), the matching corner of the original.
-    //! Empty: it is no copy.
-    std::vector<int> corners;
-    bool mirrored = false; //!< only as a mirror image
-};
-
-//! Matches an island with a copy of it that was moved, turned or mirrored. A copy has the same polygons with
-//! the same side lengths, to within 1e-4 of the longest.
-IslandCopy copyOf(const MeshData &mesh, const MeshAdjacency &adjacency, const Islands &islands, int from,
-                  int to);
-
 } // namespace autocuts

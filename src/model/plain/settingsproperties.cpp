@@ -56,7 +56,7 @@ bool isValid(const SolveSettings &settings)
            inRange(settings.visibility, 1.0) && inRange(settings.align, CreaseMode::On) &&
            inRange(settings.worldUp, WorldUp::Z) && inRange(settings.flat, FlatMode::Free) &&
            inRange(settings.surface, SurfaceKind::HardSurface) &&
-           inRange(settings.alike, AlikeMode::SameCuts) && inRange(settings.seams, SeamMode::Only) &&
+           inRange(settings.alike, AlikeMode::Stack) && inRange(settings.seams, SeamMode::Only) &&
            inRange(settings.givenSeams.sharpAngle, 180.0);
 }
 

@@ -15,8 +15,8 @@ enum class SurfaceKind { Auto, Organic, HardSurface };
 //! Whether flat faces, and what unrolls without stretch, keep their shape in automatic maps.
 enum class FlatMode { Rigid, Free };
 //! Whether connected parts that are copies of each other, also mirrored ones, get the same seams and the same
-//! islands in automatic maps.
-enum class AlikeMode { Off, SameCuts };
+//! islands in automatic maps. Stack: in addition, an unwrap lays islands that are copies on each other.
+enum class AlikeMode { Off, SameCuts, Stack };
 //! The direction of the model that is up in the map; Off: any.
 enum class WorldUp { Off, Y, Z };
 //! Whose seams. Free: the search's. Keep: the given ones stay, and the search adds what the bound needs.

@@ -73,10 +73,11 @@ struct UvMetrics
     std::int64_t stackedPairs = -1; //!< pairs of islands of one stack; not in the other figures of overlaps
 
     double uvArea = 0;
+    double coveredArea = 0; //!< the same, with only the largest island of each stack
     Vec2 uvMin = Vec2::Constant(missingFigure), uvMax = Vec2::Constant(missingFigure);
     bool inUnitSquare = false;            //!< in the first tile of the texture, within 1e-6
-    double packingBox = missingFigure;    //!< UV area / area of the bounding box
-    double packingSquare = missingFigure; //!< UV area / square of the longer side of the bounding box
+    double packingBox = missingFigure;    //!< covered area / area of the bounding box
+    double packingSquare = missingFigure; //!< covered area / square of the longer side of the bounding box
     //! Every chart lies in a UDIM tile, within 1e-6. Then packing and distances to the border are of the
     //! tiles in use.
     bool inTiles = false;

@@ -17,12 +17,13 @@ struct TileSums
 {
     int faces = 0;
     std::set<int> charts;
-    double uvArea = 0, target = 0;
+    double uvArea = 0, covered = 0, target = 0;
     double toBorder = std::numeric_limits<double>::infinity();
 };
 
 std::map<int, TileSums> sumsOf(const MeshData &mesh, const UvMatrix &uv, const ChartMap &charts,
-                               const std::vector<int> &tiles, double tileHeight)
+                               const std::vector<bool> &covers, const std::vector<int> &tiles,
+                               double tileHeight)
 {
     std::map<int, TileSums> sums;
     for (int face = 0; face < mesh.faceCount(); ++face) {
@@ -44,7 +45,10 @@ std::map<int, TileSums> sumsOf(const MeshData &mesh, const UvMatrix &uv, const C
             continue;
         const auto &[a, b, c] = mesh.triangles[t];
         TileSums &sum = sums[tile];
-        sum.uvArea += std::abs(cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c)))) / 2;
+        const double area = std::abs(cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c)))) / 2;
+        sum.uvArea += area;
+        if (covers[charts.faceChart[mesh.triangleFace[t]]])
+            sum.covered += area;
         sum.target += mesh.targetArea(t);
     }
     return sums;
@@ -52,15 +56,15 @@ std::map<int, TileSums> sumsOf(const MeshData &mesh, const UvMatrix &uv, const C
 
 } // namespace
 
-void measureTiles(const MeshData &mesh, const UvMatrix &uv, const ChartMap &charts, double tileHeight,
-                  UvMetrics &metrics)
+void measureTiles(const MeshData &mesh, const UvMatrix &uv, const ChartMap &charts,
+                  const std::vector<bool> &covers, double tileHeight, UvMetrics &metrics)
 {
     const TileLayout layout = findTiles(mesh, charts, uv, tileHeight);
     const std::vector<int> tiles = layout.ofFaces(charts);
     double toBorder = std::numeric_limits<double>::infinity();
-    for (const auto &[tile, sum] : sumsOf(mesh, uv, charts, tiles, tileHeight)) {
+    for (const auto &[tile, sum] : sumsOf(mesh, uv, charts, covers, tiles, tileHeight)) {
         TileFigures figures{tile, sum.faces, static_cast<int>(sum.charts.size())};
-        figures.efficiency = sum.uvArea / tileHeight;
+        figures.efficiency = sum.covered / tileHeight;
         if (sum.target > 0)
             figures.density = std::sqrt(sum.uvArea / sum.target);
         metrics.tiles.push_back(figures);
@@ -74,7 +78,7 @@ void measureTiles(const MeshData &mesh, const UvMatrix &uv, const ChartMap &char
     metrics.inTiles = charts.count > 0 && off == 0;
     if (!metrics.inTiles)
         return;
-    metrics.packingUnit = metrics.uvArea / (tileHeight * static_cast<double>(metrics.tiles.size()));
+    metrics.packingUnit = metrics.coveredArea / (tileHeight * static_cast<double>(metrics.tiles.size()));
     metrics.borderGutter = toBorder;
 }
 

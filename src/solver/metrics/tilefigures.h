@@ -9,7 +9,8 @@ namespace autocuts::metrics {
 
 //! Fills in what UvMetrics says of tiles: packing and distances to their borders.
 //! \param charts of the UVs, one row per corner \param tileHeight see PackingSettings::tileHeight()
-void measureTiles(const MeshData &mesh, const UvMatrix &uv, const ChartMap &charts, double tileHeight,
-                  UvMetrics &metrics);
+//! \param covers per chart: its area counts as covered \pre coveredArea is set
+void measureTiles(const MeshData &mesh, const UvMatrix &uv, const ChartMap &charts,
+                  const std::vector<bool> &covers, double tileHeight, UvMetrics &metrics);
 
 } // namespace autocuts::metrics

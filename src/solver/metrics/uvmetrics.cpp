@@ -11,8 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace autocuts::metrics {
 
@@ -97,6 +99,23 @@ void measureCharts(const UvTriangles &triangles, UvMetrics &metrics)
         metrics.texelDensitySpread = most / least;
 }
 
+//! Per chart: false where a chart of the same stack is larger, or as large and before it.
+std::vector<bool> coveringCharts(const std::vector<ChartSums> &charts, const std::vector<int> &stacks)
+{
+    std::vector<bool> covers(charts.size(), true);
+    std::map<int, std::size_t> largest; // of each stack
+    for (std::size_t chart = 0; chart < charts.size(); ++chart) {
+        if (stacks[chart] == 0)
+            continue;
+        const auto [place, isFirst] = largest.try_emplace(stacks[chart], chart);
+        if (isFirst)
+            continue;
+        const bool isLarger = charts[chart].uvArea > charts[place->second].uvArea;
+        covers[isLarger ? std::exchange(place->second, chart) : chart] = false;
+    }
+    return covers;
+}
+
 void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTriangles &triangles,
                      const UvMetricsOptions &options, UvMetrics &metrics)
 {
@@ -125,8 +144,8 @@ void measurePacking(const UvTopology &topology, const UvMetricsOptions &options,
     metrics.uvMin = low;
     metrics.uvMax = high;
     if (size.minCoeff() > 0)
-        metrics.packingBox = metrics.uvArea / (size.x() * size.y());
-    metrics.packingSquare = metrics.uvArea / (size.maxCoeff() * size.maxCoeff());
+        metrics.packingBox = metrics.coveredArea / (size.x() * size.y());
+    metrics.packingSquare = metrics.coveredArea / (size.maxCoeff() * size.maxCoeff());
     const double room = std::min(1 - high.x(), options.tileHeight - high.y());
     metrics.inUnitSquare = low.minCoeff() >= -tolerance && room >= -tolerance;
 }
@@ -146,13 +165,17 @@ UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOpt
     measureCharts(triangles, metrics);
     measureDistortion(mesh, uv, triangles, densityGroups(mesh, topology.charts, uv, options.tileHeight),
                       metrics);
+    const std::vector<int> stacks = stackOfCharts(topology.charts, options.faceFlags);
+    const std::vector<bool> covers = coveringCharts(triangles.charts, stacks);
+    for (std::size_t chart = 0; chart < covers.size(); ++chart)
+        metrics.coveredArea += covers[chart] ? triangles.charts[chart].uvArea : 0;
     measurePacking(topology, options, metrics);
-    measureTiles(mesh, uv, topology.charts, options.tileHeight, metrics);
+    measureTiles(mesh, uv, topology.charts, covers, options.tileHeight, metrics);
     metrics.borderGutterTexels = metrics.borderGutter * options.textureSize;
     if (options.overlaps)
         measureOverlaps(uv, topology, triangles, options, metrics);
     if (options.gutter) {
-        const double gutter = smallestGutter(uv, topology, stackOfCharts(topology.charts, options.faceFlags));
+        const double gutter = smallestGutter(uv, topology, stacks);
         if (std::isfinite(gutter)) {
             metrics.minGutter = gutter;
             metrics.minGutterTexels = gutter * options.textureSize;

@@ -30,8 +30,8 @@ constexpr double dearestUnified = 1.05;
 bool suits(const Snapshot &snapshot)
 {
     const SolveSettings &settings = snapshot.settings;
-    return settings.alike == AlikeMode::SameCuts && settings.seams == SeamMode::Free &&
-           settings.visibility == 0 && settings.start != StartMode::ExistingUv && !snapshot.placesIslands() &&
+    return settings.alike != AlikeMode::Off && settings.seams == SeamMode::Free && settings.visibility == 0 &&
+           settings.start != StartMode::ExistingUv && !snapshot.placesIslands() &&
            snapshot.mesh->componentCount > 1;
 }
 

@@ -8,6 +8,7 @@
 #include "solver/preference/surfacekind.h"
 #include "solver/straight/necks.h"
 #include "solver/straight/straightening.h"
+#include "solver/unwrap/alikestacks.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/keptorientation.h"
@@ -161,6 +162,10 @@ private:
             }
             if (mSnapshot.uv && mPlan.isEmpty())
                 keepOrientations(*mSnapshot.mesh, charts, pack, *mSnapshot.uv, result.uv);
+            if (mSnapshot.settings.alike == AlikeMode::Stack) {
+                stackAlike(*mSnapshot.mesh, charts, pack, result.uv);
+                result.flags = pack.faceFlags;
+            }
             const double size = layoutScale(*mSnapshot.mesh, result.uv);
             result.packed = packCharts(*mSnapshot.mesh, charts, pack, result.uv, job);
             result.madeSmaller =
@@ -176,6 +181,19 @@ private:
     const UnwrapOptions &mOptions;
 };
 
+//! Where alike islands are stacked, stacks are made anew: those that there are may change.
+Snapshot withFreeStacks(Snapshot snapshot)
+{
+    if (snapshot.settings.alike != AlikeMode::Stack || snapshot.steering->faceFlags.empty())
+        return snapshot;
+    std::vector<IslandFlags> &flags = snapshot.editSteering().faceFlags;
+    for (std::size_t face = 0; face < flags.size(); ++face) {
+        if (!snapshot.scope || snapshot.scope->faces[face])
+            flags[face].stack = 0;
+    }
+    return snapshot;
+}
+
 void checkOptions(const UnwrapOptions &options)
 {
     if (!(options.maxDistortion > 4))
@@ -186,9 +204,10 @@ void checkOptions(const UnwrapOptions &options)
 
 } // namespace
 
-UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, const JobContext &job)
+UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, const JobContext &job)
 {
     checkOptions(options);
+    const Snapshot snapshot = withFreeStacks(given);
     UnwrapResult result;
     const std::optional<FreePart> part = FreePart::of(snapshot);
     if (!part) {

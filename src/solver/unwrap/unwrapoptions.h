@@ -1,6 +1,7 @@
 // Options and result of the job "unwrap".
 #pragma once
 
+#include "model/plain/islandflags.h"
 #include "solver/base/seamedmap.h"
 #include "solver/packing/packing.h"
 #include "solver/unwrap/unmetsteering.h"
@@ -45,6 +46,8 @@ struct UnwrapResult
     std::optional<double> symmetry;
     //! Set when something was to be straight: false when stopped before all of that was done.
     std::optional<bool> straight;
+    //! Per face: the flags of the islands, with the stacks of AlikeMode::Stack. Empty: they stay.
+    std::vector<IslandFlags> flags;
     bool packed = false;      //!< false when packing was not asked for or there is no room
     bool madeSmaller = false; //!< islands should keep their scale, and there was no room for them
     bool nothingFree = false; //!< locks or the scope leave nothing to change: uv is the map before the job

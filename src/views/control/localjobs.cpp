@@ -283,7 +283,9 @@ MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl
         align, {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
     result.uv = made.uv;
     if (made.uv.rows() > 0)
-        result.aligned = islands;
+        result.flags = input.marks.faceFlags;
+    for (std::size_t i = 0; !result.flags.empty() && i < islands.size(); ++i)
+        result.flags[islands[i]].aligned = 1;
     if (made.nothingFree)
         result.problem = JobTexts::tr("Islands with pins and stacked or grouped ones are not aligned");
     else if (made.flipped)

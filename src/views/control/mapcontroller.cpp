@@ -198,7 +198,7 @@ bool MapController::pushMap(const MapJobResult &result)
     Document &document = *mWorkspace.document();
     if (result.seams)
         return pushCommand(EditMapSeams::make(document, result.seams->edit, result.uv, result.seams->edges));
-    return pushCommand(newMapCommand(document, result.edit, result.uv, result.count, result.aligned));
+    return pushCommand(newMapCommand(document, result.edit, result.uv, result.count, result.flags));
 }
 
 void MapController::applyResult(const MapJobResult &result)

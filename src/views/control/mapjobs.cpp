@@ -218,6 +218,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         return result;
     }
     result.uv = made.uv;
+    result.flags = made.flags;
     if (input.snapshot.settings.surface == SurfaceKind::Auto)
         result.hardShare = made.hardShare;
     result.message = JobTexts::tr("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);

@@ -81,7 +81,7 @@ struct MapJobResult
     Selection problemItems{};          //!< what the problem is about
     std::optional<int> count;          //!< number for the text in the history
     std::optional<double> hardShare{}; //!< see unwrap::UnwrapResult, where the kind was recognised
-    std::vector<int> aligned{};        //!< faces of islands that count as aligned to the axes from now on
+    std::vector<IslandFlags> flags{};  //!< new flags of the islands, per face; empty: they stay
     std::optional<unwrap::SeamPrices> prices{};
     //! Of a rip or a stitch; then the map is not a whole new one.
     std::optional<MapSeamEdit> seams{};

@@ -23,7 +23,7 @@ constexpr double hiddenSeams = 0.5;
 
 UnwrapForm::UnwrapForm(QWidget *parent)
     : QWidget(parent), mUnwrap(makeButton(tr("Unwrap"), "unwrap"_L1)), mStretch(new StretchControl),
-      mSurface(new QComboBox), mUp(new QComboBox), mQuality(new QComboBox)
+      mSurface(new QComboBox), mAlike(new QComboBox), mUp(new QComboBox), mQuality(new QComboBox)
 {
     mUnwrap->setProperty("primary", true);
     mUnwrap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -54,20 +54,25 @@ UnwrapForm::UnwrapForm(QWidget *parent)
               "get "
               "the seams. Organic: curved, so that the stretch may go anywhere. Recognise: each part by "
               "itself"));
+    mAlike->setObjectName("alike"_L1);
+    mAlike->addItem(tr("Each on its own"), int(AlikeMode::Off));
+    mAlike->addItem(tr("Same cuts"), int(AlikeMode::SameCuts));
+    mAlike->addItem(tr("Same cuts, stacked"), int(AlikeMode::Stack));
+    connect(mAlike, &QComboBox::activated, this, [this] {
+        const auto mode = AlikeMode(mAlike->currentData().toInt());
+        Q_EMIT edited([mode](SolveSettings &settings) { settings.alike = mode; }, true);
+    });
+    addRow(
+        form, tr("Alike parts"), mAlike,
+        tr("Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of "
+           "them is solved, which is faster. Stacked: Unwrap also lays islands that are copies on each "
+           "other. Parts that you cut or join by hand are left out"));
     mFlat = addSwitch(
         tr("Keep flat faces rigid"), "flat"_L1,
         tr("Flat faces, and what unrolls without stretch, keep their shape; the stretch goes to the curved "
            "parts. Off: "
            "seams become shorter, and faces bend"),
         [](SolveSettings &settings, bool on) { settings.flat = on ? FlatMode::Rigid : FlatMode::Free; });
-    mAlike = addSwitch(
-        tr("Same cuts for alike parts"), "alike"_L1,
-        tr("Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of "
-           "them "
-           "is solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand "
-           "are "
-           "left out"),
-        [](SolveSettings &settings, bool on) { settings.alike = on ? AlikeMode::SameCuts : AlikeMode::Off; });
     mSymmetry =
         addSwitch(tr("Same cuts on both sides"), "symmetry"_L1,
                   tr("Cuts a symmetric model symmetrically. Models whose edges do not mirror are cut as "
@@ -90,7 +95,7 @@ UnwrapForm::UnwrapForm(QWidget *parent)
                         tr("Symmetric islands get symmetric maps, those of a left and a right part mirror "
                            "images of each other; goes with the same cuts on both sides"),
                         [](SolveSettings &settings, bool on) { settings.mirrorMaps = on; });
-    for (QCheckBox *box : {mFlat, mAlike, mSymmetry, mHidden, mSharp, mAlign, mMirror})
+    for (QCheckBox *box : {mFlat, mSymmetry, mHidden, mSharp, mAlign, mMirror})
         form->addRow(box);
     mUp->setObjectName("worldUp"_L1);
     mUp->addItem(tr("Any direction"), int(WorldUp::Off));
@@ -140,7 +145,7 @@ void UnwrapForm::setSettings(const SolveSettings &settings)
     mFlat->setEnabled(settings.surface != SurfaceKind::Organic);
     mStretch->setValue(settings.maxDistortion);
     mFlat->setChecked(settings.flat == FlatMode::Rigid && settings.surface != SurfaceKind::Organic);
-    mAlike->setChecked(settings.alike == AlikeMode::SameCuts);
+    mAlike->setCurrentIndex(mAlike->findData(int(settings.alike)));
     mSymmetry->setChecked(settings.symmetry);
     mHidden->setChecked(settings.visibility > 0);
     mSharp->setChecked(settings.creases != CreaseMode::Off);

@@ -44,9 +44,9 @@ private:
 
     QPushButton *mUnwrap;
     StretchControl *mStretch;
-    QCheckBox *mFlat = nullptr, *mAlike = nullptr, *mSymmetry = nullptr, *mHidden = nullptr,
-              *mSharp = nullptr, *mAlign = nullptr, *mMirror = nullptr;
-    QComboBox *mSurface, *mUp, *mQuality;
+    QCheckBox *mFlat = nullptr, *mSymmetry = nullptr, *mHidden = nullptr, *mSharp = nullptr,
+              *mAlign = nullptr, *mMirror = nullptr;
+    QComboBox *mSurface, *mAlike, *mUp, *mQuality;
 };
 
 } // namespace autocuts
