@@ -55,9 +55,8 @@ bool isValid(const SolveSettings &settings)
            inRange(settings.creases, CreaseMode::On) && inRange(settings.creaseStrength, 1.0) &&
            inRange(settings.visibility, 1.0) && inRange(settings.align, CreaseMode::On) &&
            inRange(settings.worldUp, WorldUp::Z) && inRange(settings.flat, FlatMode::Free) &&
-           inRange(settings.surface, SurfaceKind::HardSurface) &&
-           inRange(settings.alike, AlikeMode::Stack) && inRange(settings.seams, SeamMode::Only) &&
-           inRange(settings.givenSeams.sharpAngle, 180.0);
+           inRange(settings.surface, SurfaceKind::HardSurface) && inRange(settings.alike, AlikeMode::Stack) &&
+           inRange(settings.seams, SeamMode::Only) && inRange(settings.givenSeams.sharpAngle, 180.0);
 }
 
 } // namespace autocuts
