@@ -243,6 +243,26 @@ private Q_SLOTS:
         QVERIFY(!QApplication::activePopupWidget());
     }
 
+    //! The key makes the map that the button beside the chosen quality makes.
+    void theKeyUnwrapsAsThePanelSays()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        auto *const quality = studio.window.findChild<QComboBox *>(QStringLiteral("quality"));
+        QVERIFY(quality);
+        quality->setFocus();
+        QTest::keyClick(quality, Qt::Key_Home);
+        QCOMPARE(quality->currentText(), QStringLiteral("Draft"));
+        studio.press(Qt::Key_U);
+        QVERIFY(studio.jobsRest());
+        const UvMatrix byKey = studio.document()->uv();
+        QVERIFY(byKey.allFinite());
+        studio.document()->undoStack().undo();
+        studio.context.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(studio.jobsRest());
+        QVERIFY(studio.document()->uv() == byKey);
+    }
+
     void anActionIsFoundByName()
     {
         StudioSession studio;

@@ -99,9 +99,9 @@ void UvActions::connectSolver()
 void UvActions::connectJobs()
 {
     MapController &map = mContext.map;
-    onTriggered("uv.unwrap", [&map] { map.unwrap(unwrap::UnwrapQuality::Standard); });
-    const auto onSelection = [this](const char *id, JobReach reach) {
-        onTriggered(id, [this, reach] { mContext.map.unwrap(unwrap::UnwrapQuality::Standard, reach); });
+    onTriggered("uv.unwrap", [&map] { map.unwrap(map.quality()); });
+    const auto onSelection = [this, &map](const char *id, JobReach reach) {
+        onTriggered(id, [&map, reach] { map.unwrap(map.quality(), reach); });
     };
     onSelection("uv.unwrapSelection", JobReach::SelectionAttached);
     onSelection("uv.unwrapSelectionFree", JobReach::SelectionFree);

@@ -408,7 +408,7 @@ void MapController::addLightmapSet()
         if (hasMap)
             startJob(tr("Making a map for lightmaps"), lightmapJob);
         else
-            unwrap(unwrap::UnwrapQuality::Standard);
+            unwrap(mQuality);
     });
 }
 

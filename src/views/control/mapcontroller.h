@@ -87,6 +87,10 @@ public:
     using HiddenQuestion = std::function<std::optional<JobReach>(qsizetype hiddenFaces)>;
     void setHiddenQuestion(HiddenQuestion ask) { mAskHidden = std::move(ask); }
 
+    //! The quality of unwraps that name none.
+    unwrap::UnwrapQuality quality() const { return mQuality; }
+    void setQuality(unwrap::UnwrapQuality quality) { mQuality = quality; }
+
 public Q_SLOTS:
     //! Unwraps automatically, as the command line does (solver/unwrap/unwrap.h).
     void unwrap(autocuts::unwrap::UnwrapQuality quality, autocuts::JobReach reach = JobReach::All);
@@ -173,6 +177,7 @@ private:
     std::function<void()> mAgain; //!< begins the job again; null: it does not take up edits
     QTimer mAgainSoon;            //!< one new beginning for all edits of a gesture
     bool mBeginsAgain = false;
+    unwrap::UnwrapQuality mQuality = unwrap::UnwrapQuality::Standard;
     HiddenQuestion mAskHidden;
     std::optional<JobReach> mReachOfHidden; //!< what was answered
     std::function<void()> mThen;            //!< what follows when the job has made its map

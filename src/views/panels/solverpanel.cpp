@@ -71,8 +71,9 @@ QWidget *SolverPanel::makeUnwrapForm()
             {"uv.unwrap"});
     mUnwrap->button()->setIcon(accentIcon(u"unwrap"_s));
     connect(mUnwrap, &UnwrapForm::edited, this, &SolverPanel::applyEdit);
+    connect(mUnwrap, &UnwrapForm::qualityChosen, &context().map, &MapController::setQuality);
     connect(mUnwrap, &UnwrapForm::unwrapRequested, &context().map,
-            [this](unwrap::UnwrapQuality quality) { context().map.unwrap(quality); });
+            [this] { context().map.unwrap(context().map.quality()); });
     return mUnwrap;
 }
 

@@ -27,8 +27,7 @@ UnwrapForm::UnwrapForm(QWidget *parent)
 {
     mUnwrap->setProperty("primary", true);
     mUnwrap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    connect(mUnwrap, &QPushButton::clicked, this,
-            [this] { Q_EMIT unwrapRequested(unwrap::UnwrapQuality(mQuality->currentData().toInt())); });
+    connect(mUnwrap, &QPushButton::clicked, this, &UnwrapForm::unwrapRequested);
     auto *form = makeForm(this);
     form->addRow(mUnwrap);
     mStretch->setObjectName("stretch"_L1);
@@ -112,6 +111,8 @@ UnwrapForm::UnwrapForm(QWidget *parent)
     mQuality->addItem(tr("Standard"), int(unwrap::UnwrapQuality::Standard));
     mQuality->addItem(tr("Best"), int(unwrap::UnwrapQuality::Best));
     mQuality->setCurrentIndex(1);
+    connect(mQuality, &QComboBox::currentIndexChanged, this,
+            [this] { Q_EMIT qualityChosen(unwrap::UnwrapQuality(mQuality->currentData().toInt())); });
     addRow(form, tr("Quality"), mQuality, tr("How much work Unwrap puts into short seams"));
 }
 

@@ -36,7 +36,8 @@ public:
 Q_SIGNALS:
     //! \param edit applies the change to settings \param first false while a drag continues
     void edited(const std::function<void(autocuts::SolveSettings &)> &edit, bool first);
-    void unwrapRequested(autocuts::unwrap::UnwrapQuality quality);
+    void qualityChosen(autocuts::unwrap::UnwrapQuality quality);
+    void unwrapRequested();
 
 private:
     QCheckBox *addSwitch(const QString &text, QLatin1StringView name, const QString &tip,
