@@ -7758,8 +7758,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Aus</translation>
     </message>
     <message>
-        <source>On hard surfaces</source>
-        <translation>Bei Hard-Surface</translation>
+        <source>On creases</source>
+        <translation>Bei Knicken</translation>
     </message>
     <message>
         <source>On</source>
@@ -7770,8 +7770,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Scharfe Kanten</translation>
     </message>
     <message>
-        <source>Seams along sharp edges. On hard surfaces: where clear creases make up the sharp edges of the model.</source>
-        <translation>Nähte entlang scharfer Kanten. Bei Hard-Surface: wo deutliche Knicke die scharfen Kanten des Modells ausmachen.</translation>
+        <source>Seams along sharp edges. On creases: where clear creases make up the sharp edges of the model.</source>
+        <translation>Nähte entlang scharfer Kanten. Bei Knicken: wo deutliche Knicke die scharfen Kanten des Modells ausmachen.</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -9014,8 +9014,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Nähte entlang scharfer Kanten</translation>
     </message>
     <message>
-        <source>On hard surfaces, seams rather run along sharp edges; Advanced sets how strongly</source>
-        <translation>Auf harten Oberflächen verlaufen Nähte eher entlang scharfer Kanten; wie sehr, steht unter Erweitert</translation>
+        <source>Where clear creases make up the sharp edges, seams rather run along them; Advanced sets how strongly</source>
+        <translation>Wo deutliche Knicke die scharfen Kanten ausmachen, verlaufen Nähte eher an ihnen entlang; wie sehr, steht unter Erweitert</translation>
     </message>
     <message>
         <source>Straight and along the axes</source>

@@ -146,9 +146,10 @@ std::vector<CliOption> solvingOptions()
             u"connected parts that are copies of each other, also mirrored ones, get the same seams, which "
             "is faster, too; stack also lays islands that are copies on each other, mirrored ones turned "
             "over; off: each is cut on its own"_s),
-        choice(group, u"--creases"_s, fieldOf(&SolveSettings::creases),
-               {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
-               u"put seams along sharp edges; auto does so on parts that are hard surfaces"_s),
+        choice(
+            group, u"--creases"_s, fieldOf(&SolveSettings::creases),
+            {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
+            u"put seams along sharp edges; auto does so on parts where clear creases make up the sharp edges"_s),
         number(group, u"--crease-strength"_s, u"X"_s, fieldOf(&SolveSettings::creaseStrength), 0, 1,
                u"part of its cost that a seam on a sharp edge saves, 0 to 1"_s),
         number(group, u"--visibility"_s, u"X"_s, fieldOf(&SolveSettings::visibility), 0, 1,

@@ -2,6 +2,7 @@
 
 #include "solver/definite/relaxing.h"
 #include "solver/rigid/nets.h"
+#include "solver/search/bentregions.h"
 #include "solver/search/seamsearch.h"
 
 #include <algorithm>
@@ -12,10 +13,7 @@ namespace {
 
 //! Factor on the stiffness of rigid regions, beside that of the search. Chosen by hand.
 constexpr double finalStiffness = 100;
-constexpr int settlingSteps = 30; // Newton steps; chosen by hand
-//! Mean energy above that of an isometry from which a region has lost its shape: stretched by 1.6 % both
-//! ways.
-constexpr double lostShape = 2e-3;
+constexpr int settlingSteps = 30;  // Newton steps; chosen by hand
 constexpr int mostRounds = 3;      // of cutting out what bends, or bends after that
 constexpr int settlingMoves = 100; // large moves when seams have to be opened; chosen by hand
 
@@ -91,17 +89,9 @@ private:
     {
         const Soup &soup = *mGraph->soup;
         const RigidRegions &regions = *mGraph->rigid;
-        std::vector<double> energy(regions.count, 0), area(regions.count, 0);
-        for (int t = 0; t < soup.triangleCount(); ++t) {
-            if (const int r = regions.region[t]; r >= 0) {
-                const double *place = &map.x[6 * static_cast<std::size_t>(t)];
-                energy[r] += soup.weight[t] * (search::triangleEnergy(place, soup.basis[t]) - 4);
-                area[r] += soup.weight[t];
-            }
-        }
-        std::vector<bool> bent(regions.count);
-        for (int r = 0; r < regions.count; ++r)
-            bent[r] = mGraph->anchors.empty() && energy[r] > lostShape * area[r];
+        if (!mGraph->anchors.empty())
+            return std::vector<bool>(regions.count, false);
+        std::vector<bool> bent = search::bentRegions(soup, regions, map.x);
         for (std::size_t e = 0; e < mGraph->rule.size(); ++e) {
             const EdgePair &pair = soup.mesh->edgePairs[e];
             for (const int t : pair.triangle) {

@@ -4,7 +4,7 @@
 #include "solver/base/parallel.h"
 #include "solver/definite/definitemap.h"
 #include "solver/preference/seampreference.h"
-#include "solver/search/trianglekernel.h"
+#include "solver/search/bentregions.h"
 #include "solver/straight/chosenchains.h"
 #include "solver/straight/islandlevels.h"
 #include "solver/straight/islandmirror.h"
@@ -33,9 +33,6 @@ constexpr double hurriedBudget = 0.5;
 constexpr int hurriedTries = 3;
 //! How much stiffer a rigid region is than the rest, as in the search. Chosen by hand.
 constexpr double rigidStiffness = 1000;
-//! Mean energy above that of an isometry up to which a rigid region has its shape in a map: stretched by 1.6
-//! % both ways.
-constexpr double lostShape = 2e-3;
 
 //! Per triangle: true in a rigid region that has its shape in the map. Empty: there is none.
 std::vector<bool> shapesThatStay(const Soup &soup, const Snapshot &snapshot, const SeamedMap &map)
@@ -44,19 +41,10 @@ std::vector<bool> shapesThatStay(const Soup &soup, const Snapshot &snapshot, con
         snapshot.rigid ? snapshot.rigid : preference::SeamPreference().applied(snapshot).rigid;
     if (!regions)
         return {};
-    std::vector<double> energy(regions->count, 0), area(regions->count, 0);
-    for (int t = 0; t < soup.triangleCount(); ++t) {
-        if (const int r = regions->region[t]; r >= 0) {
-            const double *place = &map.x[6 * static_cast<std::size_t>(t)];
-            energy[r] += soup.weight[t] * (search::triangleEnergy(place, soup.basis[t]) - leastEnergy);
-            area[r] += soup.weight[t];
-        }
-    }
+    const std::vector<bool> bent = search::bentRegions(soup, *regions, map.x);
     std::vector<bool> stays(regions->region.size());
-    for (std::size_t t = 0; t < stays.size(); ++t) {
-        const int r = regions->region[t];
-        stays[t] = r >= 0 && energy[r] <= lostShape * area[r];
-    }
+    for (std::size_t t = 0; t < stays.size(); ++t)
+        stays[t] = regions->region[t] >= 0 && !bent[regions->region[t]];
     return stays;
 }
 

@@ -20,14 +20,14 @@ SeamPreferenceForm::SeamPreferenceForm(QWidget *parent)
     auto *form = makeForm(this);
     mCreases->setObjectName("creases"_L1);
     mCreases->addItem(tr("Off"), int(CreaseMode::Off));
-    mCreases->addItem(tr("On hard surfaces"), int(CreaseMode::Auto));
+    mCreases->addItem(tr("On creases"), int(CreaseMode::Auto));
     mCreases->addItem(tr("On"), int(CreaseMode::On));
     connect(mCreases, &QComboBox::activated, this, [this] {
         const auto mode = CreaseMode(mCreases->currentData().toInt());
         Q_EMIT edited([mode](SolveSettings &settings) { settings.creases = mode; }, true);
     });
     addRow(form, tr("Sharp edges"), mCreases,
-           tr("Seams along sharp edges. On hard surfaces: where clear creases make up the sharp edges of the "
+           tr("Seams along sharp edges. On creases: where clear creases make up the sharp edges of the "
               "model."));
     addRow(form, tr("Strength"), mCreaseStrength,
            tr("Part of its cost that a seam on a sharp edge saves. Higher: seams leave the creases less "

@@ -82,7 +82,8 @@ UnwrapForm::UnwrapForm(QWidget *parent)
                         [](SolveSettings &settings, bool on) { settings.visibility = on ? hiddenSeams : 0; });
     mSharp = addSwitch(
         tr("Seams along sharp edges"), "sharp"_L1,
-        tr("On hard surfaces, seams rather run along sharp edges; Advanced sets how strongly"),
+        tr("Where clear creases make up the sharp edges, seams rather run along them; Advanced sets how "
+           "strongly"),
         [](SolveSettings &settings, bool on) { settings.creases = on ? CreaseMode::Auto : CreaseMode::Off; });
     mAlign = addSwitch(
         tr("Straight and along the axes"), "align"_L1,
