@@ -48,6 +48,7 @@ void TestOutputClash::makeFiles()
                  .code,
              0);
     QCOMPARE(test::runInProcess({u"convert"_s, at("mapped.obj"), u"-o"_s, at("s.acproj")}).code, 0);
+    QCOMPARE(test::runInProcess({u"convert"_s, at("in.obj"), u"-o"_s, at("in.glb")}).code, 0);
     const auto link = [&](const char *to, const char *from) {
         QVERIFY(symlink(qPrintable(at(to)), qPrintable(at(from))) == 0);
     };
@@ -72,6 +73,12 @@ void TestOutputClash::nothingIsOverwritten_data()
     QTest::newRow("layout is the report") << draft + u"--layout @new.png --report @new.png"_s;
     QTest::newRow("report over the buffer of the output")
         << u"unwrap @in.obj --quality=draft -o @out.gltf --report @out.bin"_s;
+    QTest::newRow("report over the materials of the output")
+        << u"unwrap @in.glb --quality=draft -o @out.obj --report @out.mtl"_s;
+    QTest::newRow("layout over a texture of the output")
+        << u"unwrap @in.glb --quality=draft -o @out.obj --layout @out_wood.png"_s;
+    QTest::newRow("layout over a texture of a Collada file")
+        << u"unwrap @in.glb --quality=draft -o @out.dae --layout @out_wood.png"_s;
     QTest::newRow("report over a backup of the output")
         << u"pack @s.acproj -o @s.acproj --report @s.acproj.1"_s;
     QTest::newRow("session over a link to the input") << u"convert @in.obj -o @link.acproj"_s;

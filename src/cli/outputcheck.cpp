@@ -97,7 +97,7 @@ Result<Done> checkClashes(const CliOptions &options, const DocumentState &model,
         const QStringList read = inputs + filesBeside(model) + QStringList{again ? QString() : input};
         if (Result<Done> fine = checkOutputs({options.output}, read); !fine)
             return fine;
-        kept += QStringList{options.output} + filesWrittenBeside(options.output);
+        kept += QStringList{options.output} + filesWrittenBeside(options.output, model.scene);
     } else {
         QStringList written = pictures;
         if (options.command == Command::LightBake && pictures.isEmpty())
