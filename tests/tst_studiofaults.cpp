@@ -152,11 +152,12 @@ private:
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const auto &[name, value] :
              {std::pair(u"FAULT_JOB"_s, job), std::pair(u"FAULT_OTHER"_s, at("other")),
-              std::pair(u"QT_QPA_PLATFORM"_s, u"offscreen"_s),
               std::pair(u"LD_PRELOAD"_s, QStringLiteral(FAILING_CALLS)),
               std::pair(u"FAILING_FOLDER"_s, work()), std::pair(u"FAILING_LOG"_s, at("calls.log")),
               std::pair(u"FAILING_CALL"_s, QString::number(call)), std::pair(u"FAILING_WITH"_s, with)})
             environment.insert(name, value);
+        if (!environment.contains(u"DISPLAY"_s))
+            environment.insert(u"QT_QPA_PLATFORM"_s, u"offscreen"_s);
         process.setProcessEnvironment(environment);
         process.setWorkingDirectory(work());
         process.start(QCoreApplication::applicationFilePath(), {});
