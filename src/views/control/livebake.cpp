@@ -190,7 +190,8 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
     one.maps = {map};
     mThreads.start([this, model, one, flag = mStop, packing = document->packingSettings()] {
         QStringList warnings;
-        Result<bake::BakeJob> job = makeBakeJob(model, packing, one, *flag, warnings);
+        QStringList read;
+        Result<bake::BakeJob> job = makeBakeJob(model, packing, one, *flag, read, warnings);
         if (*flag)
             return;
         if (!job) {
