@@ -1,6 +1,9 @@
 // Files that the studio exports: pictures, reports and meshes; nothing that was read is overwritten.
+#include "model/io/meshfile.h"
 #include "model/io/savefile.h"
 #include "support/filedesk.h"
+#include "views/control/bakejobs.h"
+#include "views/control/jobrunner.h"
 
 #include <QFileInfo>
 #include <QImage>
@@ -88,6 +91,33 @@ private Q_SLOTS:
         desk.files.exportMesh(at("m.obj"));
         QVERIFY(desk.rests());
         QCOMPARE(desk.failed.count(), refused);
+    }
+
+    //! The picture that the detailed model has its colours from is no place for the bake.
+    void bakesOverwriteNoTextureOfTheDetailedModel()
+    {
+        QTemporaryDir folder;
+        const auto at = [&folder](const char *name) { return folder.filePath(QLatin1String(name)); };
+        const QByteArray model = "mtllib high.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                 "usemtl m\nf 1/1 2/2 3/3\n";
+        QVERIFY(saveAtomically(at("low.obj"), model.mid(model.indexOf("\nv ") + 1)).ok());
+        QVERIFY(saveAtomically(at("high.obj"), model).ok());
+        QVERIFY(saveAtomically(at("high.mtl"), "newmtl m\nmap_Kd low_color.png\n").ok());
+        QImage picture(4, 4, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        QVERIFY(picture.save(at("low_color.png")));
+        Result<Scene> low = readMesh(at("low.obj"));
+        QVERIFY(low.ok());
+        BakeChoice choice;
+        choice.maps = {QStringLiteral("color")};
+        choice.high = at("high.obj");
+        choice.folder = folder.path();
+        MapInput input;
+        input.packing.textureSize = 16;
+        JobControl control;
+        const MapJobResult result = bakeJob(DocumentState::initial(low.value()), input, choice, control);
+        QVERIFY2(result.problem.contains(QStringLiteral("low_color.png")), qPrintable(result.problem));
+        QCOMPARE(QImage(at("low_color.png")).size(), QSize(4, 4));
     }
 };
 

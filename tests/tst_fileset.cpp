@@ -4,6 +4,7 @@
 #include "support/cliruns.h"
 
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
@@ -18,12 +19,15 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! Replaces two files of the folder and makes a third one, as one set.
-bool replaceThree(const QDir &folder)
+//! Replaces two files of the folder and makes another one, as one set. \param names with spaces
+bool replace(const QDir &folder, const QString &names)
 {
     FileSet set;
-    return set.add(folder.filePath(u"a"_s), "new").ok() && set.add(folder.filePath(u"b"_s), "new").ok() &&
-           set.add(folder.filePath(u"c"_s), "new").ok() && set.putInPlace().ok();
+    for (const QString &name : names.split(u' ')) {
+        if (!set.add(folder.filePath(name), "new"))
+            return false;
+    }
+    return set.putInPlace().ok();
 }
 
 } // namespace
@@ -113,22 +117,32 @@ private Q_SLOTS:
 
     //! The program is run again and killed at each of its calls on files. Who looks into the folder then
     //! finds all files old or all new, and nothing else; and is told when something was left to be done.
+    void aKilledProgramLeavesNoMixture_data()
+    {
+        QTest::addColumn<QString>("names");
+        QTest::newRow("one folder") << u"a b c"_s;
+        QTest::newRow("several folders") << u"a one/b two/c"_s;
+        QTest::newRow("a folder within") << u"one/a b one/c"_s;
+    }
     void aKilledProgramLeavesNoMixture()
     {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
         QSKIP("sanitizers have to be the first library");
 #endif
+        QFETCH(const QString, names);
+        const QStringList paths = names.split(u' ');
         const QString folder = at("work");
         int calls = 0, mixed = 0, allNew = 0, told = 0;
         for (int call = 0; call <= calls; ++call) {
             QVERIFY(QDir(folder).removeRecursively() && QDir().mkpath(folder));
-            file("work/a", "old");
-            file("work/c", "old");
+            QVERIFY(QDir(folder).mkpath(u"one"_s) && QDir(folder).mkpath(u"two"_s));
+            for (const QString &path : {paths.front(), paths.back()})
+                QVERIFY(test::writeBytes(folder + u'/' + path, "old"));
             QFile::remove(at("calls.log"));
             QProcess process;
             QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
             for (const auto &[name, value] :
-                 {std::pair(u"REPLACE_IN"_s, folder),
+                 {std::pair(u"REPLACE_IN"_s, folder), std::pair(u"REPLACE"_s, names),
                   std::pair(u"LD_PRELOAD"_s, QStringLiteral(FAILING_CALLS)),
                   std::pair(u"FAILING_FOLDER"_s, folder), std::pair(u"FAILING_LOG"_s, at("calls.log")),
                   std::pair(u"FAILING_CALL"_s, QString::number(call)),
@@ -142,16 +156,29 @@ private Q_SLOTS:
             else
                 QCOMPARE(process.exitCode(), SIGKILL);
             const auto contents = [&] {
-                return test::readBytes(at("work/a")) + ' ' + test::readBytes(at("work/b")) + ' ' +
-                       test::readBytes(at("work/c"));
+                QByteArrayList all;
+                for (const QString &path : paths)
+                    all << test::readBytes(folder + u'/' + path);
+                return all.join(' ');
             };
             const QByteArray before = contents();
             mixed += before != "old  old" && before != "new new new" ? 1 : 0;
-            const QStringList lines = endBrokenSets({at("work/a")});
+            // Whichever of the folders is looked into.
+            const QStringList lines = endBrokenSets({QFileInfo(folder + u'/' + paths[call % 3]).path()});
             const QByteArray after = contents();
             const bool isOld = after == "old  old";
             QVERIFY2(isOld ? before == after : after == "new new new", after.constData());
-            QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden).size(), isOld ? 2 : 3);
+            // A note on work that had not begun may be left in another folder.
+            QStringList all;
+            for (const QString &path : paths)
+                all << folder + u'/' + path;
+            QCOMPARE(endBrokenSets(all), QStringList());
+            QCOMPARE(contents(), after);
+            int left = 0;
+            for (QDirIterator i(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+                 i.hasNext(); i.next())
+                ++left;
+            QCOMPARE(left, isOld ? 2 : 3);
             QVERIFY(lines.size() <= 1 && (before == after || !lines.isEmpty()));
             QVERIFY(lines.isEmpty() || lines.first().contains(isOld ? u"as they were"_s : u"new ones"_s));
             allNew += isOld ? 0 : 1;
@@ -199,6 +226,32 @@ private Q_SLOTS:
         QCOMPARE(files(), QStringList{u"a"_s});
     }
 
+    //! A note alone does not let files of another folder be replaced.
+    void aFolderThatIsGoneIsSaid()
+    {
+        QVERIFY(QDir(mFolder.path()).mkpath(u"here"_s) && QDir(mFolder.path()).mkpath(u"there"_s));
+        file("there/b", "old");
+        file("there/b.12345678.new", "new");
+        file("here/a.12345678.new", "new");
+        const QByteArray stamp = "\"before\": \"-1 0 0 0\"";
+        file("here/.autocuts-12345678.set", "[{\"name\": \"a\", " + stamp +
+                                                "}, {\"folder\": \"../there\", \"name\": \"b\", " + stamp +
+                                                "}]");
+        for (const char *other : {"", "[]"}) {
+            if (*other)
+                file("there/.autocuts-12345678.set", other);
+            const QStringList lines = endBrokenSets({at("here")});
+            QCOMPARE(lines.size(), 1);
+            QVERIFY2(lines.first().contains(u"several folders"_s), qPrintable(lines.first()));
+            QCOMPARE(test::readBytes(at("there/b")), QByteArray("old"));
+            QCOMPARE(QDir(at("there")).entryList(QDir::Files).size(), 2);
+            QVERIFY(QFileInfo::exists(at("here/a.12345678.new")) && !QFileInfo::exists(at("here/a")));
+        }
+        QVERIFY(QFile::remove(at("here/a.12345678.new")));
+        QCOMPARE(endBrokenSets({at("here")}), QStringList());
+        QVERIFY(QDir(at("here")).isEmpty(QDir::Files | QDir::Hidden));
+    }
+
     //! Two buffers of a model may be the same file.
     void theLastBytesOfATargetCount()
     {
@@ -241,7 +294,7 @@ private Q_SLOTS:
 int main(int argc, char *argv[])
 {
     if (qEnvironmentVariableIsSet("REPLACE_IN"))
-        return replaceThree(QDir(qEnvironmentVariable("REPLACE_IN"))) ? 0 : 1;
+        return replace(QDir(qEnvironmentVariable("REPLACE_IN")), qEnvironmentVariable("REPLACE")) ? 0 : 1;
     QCoreApplication application(argc, argv);
     TestFileSet test;
     return QTest::qExec(&test, argc, argv);

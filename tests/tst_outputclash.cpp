@@ -39,7 +39,6 @@ void TestOutputClash::makeFiles()
 {
     file("in.obj", "mtllib in.mtl\n" + test::quadCubeObj());
     file("in.mtl", "newmtl red\nmap_Kd wood.png\nnewmtl blue\n");
-    file("other.obj", test::quadCubeObj());
     QImage picture(8, 8, QImage::Format_RGB32);
     picture.fill(Qt::red);
     QVERIFY(picture.save(at("wood.png")));
@@ -48,6 +47,11 @@ void TestOutputClash::makeFiles()
                  .code,
              0);
     QCOMPARE(test::runInProcess({u"convert"_s, at("mapped.obj"), u"-o"_s, at("s.acproj")}).code, 0);
+    QCOMPARE(test::runInProcess({u"convert"_s, at("in.obj"), u"-o"_s, at("in.glb")}).code, 0);
+    file("other.obj", test::readBytes(at("mapped.obj")));
+    file("high.obj", "mtllib high.mtl\n" + test::readBytes(at("mapped.obj")));
+    file("high.mtl", "newmtl red\nmap_Kd other_color.png\nnewmtl blue\n");
+    QVERIFY(picture.save(at("other_color.png")));
     const auto link = [&](const char *to, const char *from) {
         QVERIFY(symlink(qPrintable(at(to)), qPrintable(at(from))) == 0);
     };
@@ -72,6 +76,12 @@ void TestOutputClash::nothingIsOverwritten_data()
     QTest::newRow("layout is the report") << draft + u"--layout @new.png --report @new.png"_s;
     QTest::newRow("report over the buffer of the output")
         << u"unwrap @in.obj --quality=draft -o @out.gltf --report @out.bin"_s;
+    QTest::newRow("report over the materials of the output")
+        << u"unwrap @in.glb --quality=draft -o @out.obj --report @out.mtl"_s;
+    QTest::newRow("layout over a texture of the output")
+        << u"unwrap @in.glb --quality=draft -o @out.obj --layout @out_wood.png"_s;
+    QTest::newRow("layout over a texture of a Collada file")
+        << u"unwrap @in.glb --quality=draft -o @out.dae --layout @out_wood.png"_s;
     QTest::newRow("report over a backup of the output")
         << u"pack @s.acproj -o @s.acproj --report @s.acproj.1"_s;
     QTest::newRow("session over a link to the input") << u"convert @in.obj -o @link.acproj"_s;
@@ -81,6 +91,16 @@ void TestOutputClash::nothingIsOverwritten_data()
         << u"bake @mapped.obj -o @new --maps normal --size 16 --report @mapped.obj"_s;
     QTest::newRow("report of a bake over its picture")
         << u"bake @mapped.obj -o @new --maps normal --size 16 --report @new/mapped_normal.png"_s;
+    QTest::newRow("report of a bake over the materials of the detailed model")
+        << u"bake @mapped.obj --high @high.obj -o @new --maps color --size 16 --report @high.mtl"_s;
+    QTest::newRow("picture over a texture of the detailed model")
+        << u"bake @other.obj --high @high.obj -o @ --maps color --size 16"_s;
+    QTest::newRow("report of a bake over the materials of the cage")
+        << u"bake @mapped.obj --high @other.obj --cage-file @high.obj -o @new --size 16 --report @high.mtl"_s;
+    QTest::newRow("report over the materials of the model with the UVs")
+        << u"transfer @in.obj --from @high.obj -o @out.obj --report @high.mtl"_s;
+    QTest::newRow("report of carried textures over the materials of the old model")
+        << u"transfer @mapped.obj --from @high.obj --textures @wood.png -o @new --report @high.mtl"_s;
     QTest::newRow("light over a link to the input")
         << u"lightbake @mapped.obj -o @mappedlink.png --size 16"_s;
 }

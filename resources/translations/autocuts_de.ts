@@ -2117,6 +2117,10 @@
         <source>A program ended while it replaced files together. All of them are the new ones now: %1 (in %2)</source>
         <translation>Ein Programm endete, während es zusammengehörende Dateien ersetzte. Jetzt sind alle die neuen: %1 (in %2)</translation>
     </message>
+    <message>
+        <source>A program ended while it replaced files of several folders together, and another of these folders is gone or was changed. What was to be written is in files that end with %1, what was there before in files that end with %2: rename or remove them (in %3)</source>
+        <translation>Ein Programm endete, während es zusammengehörende Dateien mehrerer Ordner ersetzte, und ein anderer dieser Ordner fehlt oder wurde geändert. Was geschrieben werden sollte, steht in Dateien, die auf %1 enden, was vorher dort stand, in Dateien, die auf %2 enden: benennen Sie sie um oder löschen Sie sie (in %3)</translation>
+    </message>
 </context>
 <context>
     <name>IslandTool</name>

@@ -1,11 +1,13 @@
 """The kinds of cases: each makes files from a random generator, runs the program and returns a Finding or None."""
 import json
+import shutil
 import signal
 import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import bakes
+import commandlines
 import conversions
 import filefaults
 import mutations
@@ -312,6 +314,23 @@ class Cases:
             if faults:
                 return Finding(faults[0], sweep.arguments, run, sweep.kept / "in.obj", None,
                                [*faults[1:], f"call {call} of {sweep.calls} with {error}"])
+        return None
+
+    def command_line(self, rng):
+        """Options and values at random: an exit code, one line that says what is wrong, and no file that is not named
+        is changed."""
+        before = self.folder / "before"
+        before.mkdir()
+        self.program.folder = str(before)
+        options = commandlines.prepare(self.program, rng, before)
+        kept = commandlines.contents(before)
+        for number in range(20):
+            self.program.folder = str(self.folder / str(number))
+            shutil.copytree(before, self.program.folder)
+            words = commandlines.command_line(rng, options)
+            faults, run = commandlines.faults(self.program, words, kept, self.folder / str(number))
+            if faults:
+                return Finding(faults[0], words, run, before / "in.obj", None, faults[1:])
         return None
 
     def full_disk(self, rng):

@@ -2,7 +2,9 @@
 
 tests/fuzz/failingcalls.cpp makes the calls fail. What the jobs write must be all new or all old then.
 """
+import base64
 import errno
+import json
 import os
 import shutil
 import signal
@@ -11,37 +13,72 @@ from pathlib import Path
 import bakes
 import oddmeshes
 
-ERRORS = [errno.EIO, errno.ENOSPC, errno.EACCES]
+ERRORS = [errno.EIO, errno.ENOSPC, errno.EACCES, errno.EDQUOT, errno.EROFS, errno.EMFILE, errno.ENOMEM, errno.EPERM,
+          errno.EINTR, errno.EBUSY, errno.ENOENT]
 KILL = "kill"
 # name: the arguments, the outputs that belong together, then each output by itself.
 JOBS = {
     **{"convert to " + suffix: (["convert", "in.obj", "-o", "out." + suffix], ["out." + suffix])
        for suffix in ("obj", "acproj", "glb", "ply", "dae", "fbx")},
-    "convert to gltf": (["convert", "in.gltf", "--force", "-o", "out.gltf"], ["out.gltf"]),
-    "unwrap with report and layout": (["unwrap", "in.obj", "--quality", "draft", "--report", "report.json",
-                                       "--layout", "layout.svg", "-o", "out.obj"],
+    "convert to gltf": (["convert", "in.obj", "-o", "out.gltf"], ["out.gltf"]),
+    "unwrap with report and layout": (["unwrap", "in.obj", "--quality", "draft", "--margin", "2",
+                                       "--report", "report.json", "--layout", "layout.svg", "-o", "out.obj"],
                                       ["out.obj"], ["report.json"], ["layout.svg"]),
     "session in place": (["pack", "in.acproj", "-o", "in.acproj"], ["in.acproj"]),
     "bake": (["bake", "mapped.obj", "--maps", "position,ao,curvature", "--size", "16", "-o", "baked"],
              ["baked/mapped_position.png", "baked/mapped_ao.png", "baked/mapped_curvature.png"]),
+    "bake into two folders": (["bake", "linked.obj", "--maps", "position,ao", "--size", "16", "-o", "baked"],
+                              ["baked/linked_position.png", "baked/linked_ao.png"]),
     "light": (["lightbake", "mapped.obj", "--size", "16", "--samples", "1", "-o", "light.png"], ["light.png"]),
+    "glTF pair in place": (["pack", "pair.gltf", "-o", "pair.gltf"], ["pair.gltf"]),
+    "convert to obj with pictures": (["convert", "looks.glb", "-o", "out.obj"],
+                                     ["out.obj", "out.mtl", "out_picture.png", "out_other.png"]),
+    "bake of tiles": (["bake", "tiles.obj", "--maps", "position,ao", "--size", "16", "-o", "baked"],
+                      [f"baked/tiles_{name}.{tile}.png" for name in ("position", "ao") for tile in (1001, 1002)]),
+    "layout of tiles": (["pack", "tiles.obj", "--per", "object", "--texture-size", "64", "--pack-time", ".05",
+                         "--layout", "layout.png", "-o", "out.obj"],
+                        ["out.obj"], ["layout.1001.png", "layout.1002.png"]),
     "textures": (["transfer", "mapped.obj", "--from", "old.obj", "--textures", "picture.png,other.png",
                   "-o", "carried"], ["carried/picture.png", "carried/other.png"]),
 }
+# Files that lie elsewhere, and those that are not there before.
+LINKS = {"baked/linked_ao.png": "elsewhere/ao.png"}
+NEW = {"out.mtl", "out_picture.png", "out_other.png"}
 JOBS = {name: (job[0], job[1:]) for name, job in JOBS.items()}
+TWO_OBJECTS = [b"v 0 0 0", b"v 1 0 0", b"v 1 1 0", b"v 0 1 0", b"v 0 0 1", b"v 1 0 1", b"v 1 1 1", b"v 0 1 1",
+               b"o one", b"f 1 2 3 4", b"o two", b"f 5 6 7 8"]
 
 
 def prepare(program, rng, folder):
     """Writes the inputs of all jobs."""
     write = lambda name, lines: (folder / name).write_bytes(b"\n".join(lines) + b"\n")
     write("in.obj", oddmeshes.lines_of(rng, *oddmeshes.grid(rng, 6), False))
-    for name in ("mapped.obj", "old.obj"):
+    for name in ("mapped.obj", "old.obj", "linked.obj"):
         program.run(["unwrap", "in.obj", "--quality", "draft", "-o", name])
     program.run(["convert", "mapped.obj", "-o", "in.acproj"])
     for name in ("picture.png", "other.png"):
         (folder / name).write_bytes(bakes.png(rng, 16, 16))
     program.run(["convert", "mapped.obj", "-o", "in.glb"])
     program.run(["convert", "in.glb", "-o", "in.gltf"])
+    write_pair(folder)
+    write("two.obj", TWO_OBJECTS)
+    program.run(["unwrap", "two.obj", "--per", "object", "--quality", "draft", "-o", "tiles.obj"])
+    write("looks.mtl", [b"newmtl a", b"map_Kd picture.png", b"newmtl b", b"map_Kd other.png"])
+    lines, at = (folder / "mapped.obj").read_bytes().splitlines(), lambda k: lines.index(faces[k])
+    faces = [line for line in lines if line.startswith(b"f ")]
+    lines.insert(at(len(faces) // 2), b"usemtl b")
+    lines.insert(at(0), b"usemtl a")
+    write("looks.obj", [b"mtllib looks.mtl", *lines])
+    program.run(["convert", "looks.obj", "-o", "looks.glb"])
+
+
+def write_pair(folder):
+    """A glTF file with its buffer beside it, made of one that holds it."""
+    tree = json.loads((folder / "in.gltf").read_bytes())
+    buffer = tree["buffers"][0]
+    (folder / "pair.bin").write_bytes(base64.b64decode(buffer["uri"].partition(",")[2]))
+    buffer["uri"] = "pair.bin"
+    (folder / "pair.gltf").write_text(json.dumps(tree))
 
 
 class Sweep:
@@ -56,28 +93,42 @@ class Sweep:
         program.folder = str(self.kept)
         prepare(program, rng, self.kept)
         self.output = {name for names in self.sets for name in names}
-        for name in self.output - {"in.acproj"}:
+        for name in self.output:
             (self.kept / name).parent.mkdir(exist_ok=True)
-            # A pair of glTF files from before, so that there is something to lose.
-            shutil.copy(self.kept / ("in.gltf" if name.endswith(".gltf") else "in.obj"), self.kept / name)
+            if name in LINKS:
+                (self.kept / LINKS[name]).parent.mkdir()
+                (self.kept / name).symlink_to(Path("..") / LINKS[name])
+            if name in NEW or (self.kept / name).exists():
+                continue
+            # So that there is something to lose.
+            shutil.copy(self.kept / ("in.gltf" if name.endswith(".gltf") else "mapped.obj"), self.kept / name)
         self.old = self.contents()
+        self.others = self.other_contents(self.kept)
         self.reset()
         self.reference = self.run(0, KILL)
         self.calls = len(self.log.read_text().splitlines())
         self.new = self.contents()
         self.names = self.all_names()
+        if self.reference.code != 0 or self.old == self.new:
+            raise RuntimeError(f"{name}: the job changes nothing: {self.reference.err}")
 
     def all_names(self):
         return {str(path.relative_to(self.folder)) for path in self.folder.rglob("*")}
 
     def reset(self):
         shutil.rmtree(self.folder, ignore_errors=True)
-        shutil.copytree(self.kept, self.folder)
+        shutil.copytree(self.kept, self.folder, symlinks=True)
         self.program.folder = str(self.folder)
 
     def contents(self):
         folder = self.folder if self.folder.exists() else self.kept
         return {name: (folder / name).read_bytes() if (folder / name).exists() else None for name in self.output}
+
+    def other_contents(self, folder):
+        """What the job must leave alone."""
+        paths = {str(path.relative_to(folder)): path for path in folder.rglob("*") if path.is_file()}
+        ours = self.output | {LINKS.get(name) for name in self.output} | {"stdout", "stderr"}
+        return {name: path.read_bytes() for name, path in paths.items() if name not in ours}
 
     def run(self, call, error):
         self.log.unlink(missing_ok=True)
@@ -99,7 +150,8 @@ class Sweep:
         run = self.run(call, error)
         killed = error == KILL
         if killed:  # the next run that looks into the folder puts right what is mixed
-            self.program.run(["check", self.sets[0][0]])
+            for name in dict.fromkeys((self.sets[0][0], self.sets[0][-1])):
+                self.program.run(["check", name])
         now = self.contents()
         if killed and run.code == -signal.SIGKILL:
             faults = []
@@ -117,13 +169,18 @@ class Sweep:
                 faults.append("no output in spite of success")
             if run.code in (1, 2) and len(self.sets) == 1 and not old and self.old != self.new:
                 faults.append("a failed run changed the output")
+        others = self.other_contents(self.folder)
+        if any(others.get(name) != content for name, content in self.others.items()):
+            faults.append("a file that is no output is changed")
         left = self.all_names() - self.names - {"stdout", "stderr"}
         if "no backup" in run.err:  # the next save makes the backup of this file
             left -= {name + ".new" for name in self.output}
-        together = any(len(names) > 1 for names in self.sets)
-        if left and (together or not killed):  # a killed program may leave a single file that had no name before
+        if killed:  # it may leave a single file that had no name before
+            single = tuple(names[0] + "." for names in self.sets if len(names) == 1)
+            left = {name for name in left if not name.startswith(single)}
+        if left:
             faults.append("other files are left")
-        if "out.gltf" in now and not killed and run.code >= 0:
-            check = self.program.run(["check", "out.gltf"])
-            faults += ["the glTF pair cannot be read"] if check.code != 0 else []
+        for name in now:
+            if name.endswith(".gltf") and self.program.run(["check", name]).code != 0:
+                faults.append("the glTF file cannot be read")
         return faults, run

@@ -6,6 +6,7 @@
 #include "model/document/shadedscene.h"
 #include "model/io/bakefiles.h"
 #include "model/io/carriedtextures.h"
+#include "model/io/fileclashes.h"
 #include "model/io/pictures/picturesize.h"
 #include "model/io/savefile.h"
 #include "model/io/texturefiles.h"
@@ -62,6 +63,7 @@ struct SourceModel
 {
     DocumentState model;
     ShadedSurface surface;
+    QStringList files; //!< that it was read from
     QStringList warnings;
 };
 
@@ -72,7 +74,9 @@ Result<SourceModel> readSource(const CliOptions &options, const QString &path, c
         const Result<Scene> scene = readScene(options, path, {}, files, own);
         if (!scene)
             return scene.error();
-        return SourceModel{files.modelOf(scene.value()), shadedSurface(scene.value()),
+        DocumentState model = files.modelOf(scene.value());
+        QStringList beside = filesOfSession(model, path, true);
+        return SourceModel{std::move(model), shadedSurface(scene.value()), std::move(beside),
                            lossesOf(path, files.warnings())};
     };
     std::optional<Result<SourceModel>> model = unlessStopped(stop, read);
@@ -113,14 +117,16 @@ Result<PictureDepth> depthOf(const CliOptions::Baking &options)
     return bits == 8 ? PictureDepth::Eight : bits == 16 ? PictureDepth::Sixteen : PictureDepth::Float;
 }
 
+//! \param files gets those that it was read from
 Result<Done> readCage(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
-                      bake::CageSettings &cage, QStringList &warnings)
+                      bake::CageSettings &cage, QStringList &files, QStringList &warnings)
 {
-    BatchFiles files;
-    const Result<Scene> read = readScene(options, options.bake.cageFile, {}, files, stop);
+    BatchFiles cageFiles;
+    const Result<Scene> read = readScene(options, options.bake.cageFile, {}, cageFiles, stop);
     if (!read)
         return read.error();
-    warnings << lossesOf(options.bake.cageFile, files.warnings());
+    files << filesOfSession(cageFiles.modelOf(read.value()), options.bake.cageFile, true);
+    warnings << lossesOf(options.bake.cageFile, cageFiles.warnings());
     const MeshData &mesh = *read->mesh;
     if (mesh.faceStart != scene.mesh->faceStart || mesh.cornerVertex != scene.mesh->cornerVertex)
         return Error{u"the cage has other faces than the model"_s, options.bake.cageFile, 0,
@@ -184,11 +190,13 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files,
     if (!job)
         return job.error();
     job->floats = options.bake.suffix == u"exr"_s;
+    QStringList read;
     if (!options.bake.high.isEmpty()) {
         Result<SourceModel> high = readSource(options, options.bake.high, stop);
         if (!high)
             return high.error();
         outcome.warnings << high->warnings;
+        read << high->files;
         job->kind = bake::SourceKind::Detailed;
         job->high = std::move(high->surface);
         if (const QString moved = placeLike(*job->high, job->low); !moved.isEmpty())
@@ -202,7 +210,8 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files,
                     alone.join(u", "_s));
         }
         if (!options.bake.cageFile.isEmpty()) {
-            const Result<Done> cage = readCage(options, scene, stop, job->settings.cage, outcome.warnings);
+            const Result<Done> cage =
+                readCage(options, scene, stop, job->settings.cage, read, outcome.warnings);
             if (!cage)
                 return cage.error();
         }
@@ -219,7 +228,7 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files,
         for (const int tile : job->tiles)
             pictures << pathOf(map, tile);
     }
-    if (const Result<Done> fine = checkClashes(options, files.modelOf(scene), pictures); !fine)
+    if (const Result<Done> fine = checkClashes(options, files.modelOf(scene), pictures, read); !fine)
         return fine.error();
     if (const Result<Done> made = makeFolder(options.output); !made)
         return made.error();
@@ -302,7 +311,8 @@ Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &f
     if (!plan.missing.isEmpty() && (plan.pictures.empty() || !ofMaterials))
         return Error{u"there is no such picture"_s, plan.missing.front(), 0, u"Check its name"_s};
     // Those that are not there yet overwrite nothing.
-    if (const Result<Done> fine = checkClashes(options, state, plan.existingFiles()); !fine)
+    const QStringList read = filesOfSession(oldFiles.modelOf(old.value()), from, true);
+    if (const Result<Done> fine = checkClashes(options, state, plan.existingFiles(), read); !fine)
         return fine.error();
     if (const Result<Done> made = makeFolder(options.output); !made)
         return made.error();

@@ -1,6 +1,7 @@
 // The command that takes UVs from another model, UV set or object.
 #include "cli/batchscope.h"
 #include "cli/mapmaking.h"
+#include "cli/outputcheck.h"
 #include "model/document/transferjob.h"
 #include "model/io/transfersource.h"
 #include "model/plain/uvlayout.h"
@@ -53,6 +54,8 @@ Result<MadeMap> MapMaking::transfer(Scene &scene) const
             : readTransferSource(mOptions.from, nullptr, mOptions.unwrap.packing.tileHeight());
     if (!model)
         return model.error();
+    if (const Result<Done> fine = checkClashes(mOptions, mFiles.modelOf(scene), {}, model->files); !fine)
+        return fine.error();
     const QStringList sourceWarnings = model->warnings;
     if (const Result<Done> chosen = chooseFrom(mOptions, std::move(model).value(), job); !chosen)
         return withLosses(chosen.error(), sourceWarnings);

@@ -86,18 +86,19 @@ Result<Done> checkTargets(const CliOptions &options)
     return checkWriteFormat(options.output);
 }
 
-Result<Done> checkClashes(const CliOptions &options, const DocumentState &model, const QStringList &pictures)
+Result<Done> checkClashes(const CliOptions &options, const DocumentState &model, const QStringList &pictures,
+                          const QStringList &read)
 {
     const QString input = options.command == Command::Sample ? QString() : options.input;
-    const QStringList inputs = otherInputs(options);
+    const QStringList inputs = otherInputs(options) + read;
     const QStringList own{input, model.scene.path};
     QStringList kept = own + inputs + filesBeside(model);
     if (writesModel(options)) {
         const bool again = !options.output.isEmpty() && isRewritten(options);
-        const QStringList read = inputs + filesBeside(model) + QStringList{again ? QString() : input};
-        if (Result<Done> fine = checkOutputs({options.output}, read); !fine)
+        const QStringList other = inputs + filesBeside(model) + QStringList{again ? QString() : input};
+        if (Result<Done> fine = checkOutputs({options.output}, other); !fine)
             return fine;
-        kept += QStringList{options.output} + filesWrittenBeside(options.output);
+        kept += QStringList{options.output} + filesWrittenBeside(options.output, model.scene);
     } else {
         QStringList written = pictures;
         if (options.command == Command::LightBake && pictures.isEmpty())

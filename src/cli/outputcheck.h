@@ -13,8 +13,9 @@ Result<Done> checkTargets(const CliOptions &options);
 QStringList namedFiles(const CliOptions &options);
 
 //! An Error when an output is a file that the model was read from, or another output. The file of the input
-//! may be written again as a model of its own format. \param pictures that a bake makes
+//! may be written again as a model of its own format. \param pictures that a bake makes \param read files of
+//! other models
 Result<Done> checkClashes(const CliOptions &options, const DocumentState &model,
-                          const QStringList &pictures = {});
+                          const QStringList &pictures = {}, const QStringList &read = {});
 
 } // namespace autocuts

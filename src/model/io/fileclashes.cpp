@@ -2,8 +2,10 @@
 
 #include "model/document/documentstate.h"
 #include "model/io/gltf/gltfsource.h"
+#include "model/io/materiallooks.h"
 #include "model/io/objmaterials.h"
 #include "model/io/objsource.h"
+#include "model/io/objwriter.h"
 #include "model/io/projectfile.h"
 #include "model/io/texturefiles.h"
 
@@ -96,14 +98,17 @@ QStringList filesOfSession(const DocumentState &model, const QString &sessionPat
     return QStringList{sessionPath, model.scene.path} + filesBeside(model, onlyBaseColors);
 }
 
-QStringList filesWrittenBeside(const QString &path)
+QStringList filesWrittenBeside(const QString &path, const Scene &scene)
 {
     const QFileInfo info(path);
     if (isProjectPath(path))
         return {path + u".1"_s, path + u".2"_s, path + u".new"_s};
-    if (info.suffix().compare(u"gltf"_s, Qt::CaseInsensitive) == 0)
+    const QString suffix = info.suffix().toLower();
+    if (suffix == "gltf"_L1)
         return {info.dir().filePath(info.completeBaseName() + u".bin"_s)};
-    return {};
+    if (suffix == "obj"_L1)
+        return filesBesideObj(scene, path);
+    return suffix == "dae"_L1 ? MaterialLooks(scene, path).placeAll() : QStringList();
 }
 
 QStringList withTiles(const QString &path)

@@ -8,6 +8,7 @@
 namespace autocuts {
 
 struct DocumentState;
+struct Scene;
 
 //! The same for all paths that lead to one file, also by links. A file that is not there yet is known by its
 //! folder and its name.
@@ -26,8 +27,9 @@ QStringList filesBeside(const DocumentState &model, bool onlyBaseColors = false)
 QStringList filesOfSession(const DocumentState &model, const QString &sessionPath,
                            bool onlyBaseColors = false);
 
-//! The files that belong to a model or session that is written to a path: buffers, or backups.
-QStringList filesWrittenBeside(const QString &path);
+//! The files that belong to a model or session that is written to a path: buffers, material libraries,
+//! pictures, or backups. \param scene the model that is written
+QStringList filesWrittenBeside(const QString &path, const Scene &scene);
 
 //! A path of pictures that get the number of a tile before the suffix, with those that are there already.
 QStringList withTiles(const QString &path);

@@ -109,6 +109,20 @@ QString MaterialLooks::fileOf(const SceneTexture &picture)
     return QFileInfo(path).fileName();
 }
 
+QStringList MaterialLooks::placeAll()
+{
+    for (int m = 0; m < std::ssize(mScene.materialNames); ++m) {
+        for (const auto &[channel, entry] : mScene.fileSet(m)) {
+            if (!entry.picture.content.isEmpty())
+                fileOf(entry.picture);
+        }
+    }
+    QStringList paths;
+    for (const auto &[path, content] : mFiles)
+        paths << path;
+    return paths;
+}
+
 Result<Done> MaterialLooks::addFiles(FileSet &files) const
 {
     for (const auto &[path, content] : mFiles) {

@@ -29,6 +29,8 @@ public:
     //! How the new file calls a picture: by a path from its folder. A picture inside of the model's file gets
     //! a file beside the new one, see addFiles().
     QString fileOf(const SceneTexture &picture);
+    //! Gives all pictures inside of the model's file a place. \returns the paths
+    QStringList placeAll();
     //! The files that fileOf() has named and that are not there yet.
     Result<Done> addFiles(FileSet &files) const;
     //! Names of pictures that are neither in the model's file nor beside it.

@@ -184,6 +184,13 @@ QByteArray objBytes(const Scene &scene)
     return sameUv(source, uv) ? source.bytes : rewriteObj(source, *scene.mesh, uv);
 }
 
+QStringList filesBesideObj(const Scene &scene, const QString &path)
+{
+    if (isObjFile(scene) || scene.materialNames.empty())
+        return {};
+    return MaterialLooks(scene, path).placeAll() << placeOfLibrary(path);
+}
+
 Result<Done> writeObj(const Scene &scene, const QString &path)
 {
     const QByteArray bytes = objBytes(scene);

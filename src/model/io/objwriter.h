@@ -5,6 +5,7 @@
 #include "model/document/scene.h"
 
 #include <QByteArray>
+#include <QStringList>
 
 namespace autocuts {
 
@@ -14,7 +15,10 @@ namespace autocuts {
 //! and f lines.
 QByteArray objBytes(const Scene &scene);
 
-//! Writes objBytes() atomically.
+//! The files that writeObj() writes besides the path: the materials of a scene from another format.
+QStringList filesBesideObj(const Scene &scene, const QString &path);
+
+//! Writes objBytes() and what belongs to it: all or nothing.
 Result<Done> writeObj(const Scene &scene, const QString &path);
 
 } // namespace autocuts

@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <map>
+#include <optional>
 #ifdef Q_OS_UNIX
 #include <sys/file.h>
 #include <unistd.h>
@@ -63,29 +64,78 @@ struct SetFile
 {
     QString target, fresh, old; //!< paths
     QString stamp;              //!< of the target before
+    QString note;               //!< path of the note of its folder
 
     bool isReady() const { return QFileInfo::exists(fresh); }
     bool isUntouched() const { return stampText(FileStamp::of(target)) == stamp; }
 };
 
-//! The files that a note names. Empty when it is not whole, or names others than those beside it.
+//! The files that a note names. Empty when it is not whole.
 std::vector<SetFile> filesOf(QFile &note)
 {
     if (note.size() > largestNote)
         return {};
     const QFileInfo info(note);
     const QString ending = u'.' + info.fileName().section(u'-', 1).section(u'.', 0, 0);
+    const QDir here(info.canonicalPath());
     std::vector<SetFile> files;
     const QJsonArray entries = QJsonDocument::fromJson(note.readAll()).array();
     for (const auto &entry : entries) {
         const QString name = entry["name"_L1].toString();
         if (name.isEmpty() || name != QFileInfo(name).fileName())
             return {};
-        const QString target = info.dir().filePath(name);
+        const QDir folder(QDir::cleanPath(here.filePath(entry["folder"_L1].toString())));
+        const QString target = folder.filePath(name);
         files.push_back({target, target + ending + u".new"_s, target + ending + u".old"_s,
-                         entry["before"_L1].toString()});
+                         entry["before"_L1].toString(), folder.filePath(info.fileName())});
     }
     return files;
+}
+
+//! A set that was found: its notes, which are locked, and what they name.
+struct FoundSet
+{
+    std::vector<std::unique_ptr<QFile>> notes;
+    std::vector<SetFile> files;
+    //! The notes of all folders are there and say the same. Otherwise only the files beside the first one are
+    //! its own.
+    bool isWhole = true;
+};
+
+//! \returns false when it is not there, or belongs to another program or user
+bool openNote(const QString &path, FoundSet &set)
+{
+    auto note = std::make_unique<QFile>(path);
+    if (!note->open(QIODevice::ReadWrite | QIODevice::ExistingOnly) || !isOwn(*note) || isLocked(*note))
+        return false;
+    set.notes.push_back(std::move(note));
+    return true;
+}
+
+//! Nothing when a program is at work on it.
+std::optional<FoundSet> findSet(const QString &path)
+{
+    FoundSet set;
+    if (!openNote(path, set))
+        return std::nullopt;
+    set.files = filesOf(*set.notes.front());
+    QStringList known{QFileInfo(path).canonicalFilePath()};
+    const auto namesTheSame = [](const SetFile &a, const SetFile &b) { return a.target == b.target; };
+    for (const SetFile &file : set.files) {
+        if (known.contains(file.note))
+            continue;
+        known << file.note;
+        if (!QFileInfo::exists(file.note))
+            set.isWhole = false;
+        else if (!openNote(file.note, set))
+            return std::nullopt;
+        else
+            set.isWhole =
+                set.isWhole && std::ranges::equal(filesOf(*set.notes.back()), set.files, namesTheSame);
+    }
+    if (!set.isWhole)
+        std::erase_if(set.files, [&](const SetFile &file) { return file.note != known.front(); });
+    return set;
 }
 
 QString namesOf(const std::vector<SetFile> &files)
@@ -105,13 +155,24 @@ void removeAll(const std::vector<SetFile> &files)
     }
 }
 
-//! \returns a line for the user; empty when there is nothing to say. `isDone`: the note can go
-QString endSet(const std::vector<SetFile> &files, const QString &folder, bool &isDone)
+//! \returns a line for the user; empty when there is nothing to say. `isDone`: the notes can go
+QString endSet(const FoundSet &set, const QString &folder, bool &isDone)
 {
     isDone = true;
+    const std::vector<SetFile> &files = set.files;
     const auto anything = [](const SetFile &file) { return file.isReady() || QFileInfo::exists(file.old); };
-    if (std::ranges::none_of(files, anything))
+    const auto left = std::ranges::find_if(files, anything);
+    if (left == files.end())
         return {};
+    if (!set.isWhole) {
+        isDone = false;
+        return SetTexts::tr(
+                   "A program ended while it replaced files of several folders together, and another of "
+                   "these folders is gone or was changed. What was to be written is in files that end "
+                   "with %1, what was there before in files that end with %2: rename or remove them "
+                   "(in %3)")
+            .arg(left->fresh.section(u'.', -2), left->old.section(u'.', -2), folder);
+    }
     if (!files.back().isReady()) {
         // Either nothing has been replaced yet, or everything.
         const bool isNew = std::ranges::none_of(files, &SetFile::isReady);
@@ -147,6 +208,25 @@ QString endSet(const std::vector<SetFile> &files, const QString &folder, bool &i
         .arg(namesOf(files), folder);
 }
 
+//! {folder: the entries of its note}
+std::map<QString, QJsonArray> notesOf(const QStringList &targets)
+{
+    std::map<QString, QJsonArray> notes;
+    QStringList places;
+    for (const QString &target : targets)
+        notes[places.emplaceBack(QFileInfo(QFileInfo(target).path()).canonicalFilePath())];
+    for (auto &[folder, entries] : notes) {
+        for (qsizetype i = 0; i < targets.size(); ++i) {
+            QJsonObject entry{{u"name"_s, QFileInfo(targets[i]).fileName()},
+                              {u"before"_s, stampText(FileStamp::of(targets[i]))}};
+            if (places[i] != folder) // relative, because folders may be moved together
+                entry[u"folder"_s] = QDir(folder).relativeFilePath(places[i]);
+            entries.append(entry);
+        }
+    }
+    return notes;
+}
+
 } // namespace
 
 SetJournal::SetJournal() = default;
@@ -160,12 +240,7 @@ int SetJournal::begin(const QStringList &targets)
 {
     const QString id = QUuid::createUuid().toString(QUuid::Id128).left(8);
     mEnding = u'.' + id;
-    std::map<QString, QJsonArray> folders;
-    for (const QString &target : targets) {
-        const QFileInfo info(target);
-        folders[info.path()].append(
-            QJsonObject{{u"name"_s, info.fileName()}, {u"before"_s, stampText(FileStamp::of(target))}});
-    }
+    const std::map<QString, QJsonArray> folders = notesOf(targets);
     for (const auto &[folder, files] : folders) {
         const QByteArray text = QJsonDocument(files).toJson();
         auto note = std::make_unique<QFile>(QDir(folder).filePath(u".autocuts-%1.set"_s.arg(id)));
@@ -205,17 +280,15 @@ QStringList endBrokenSets(const QStringList &paths)
     for (const QString &folder : folders) {
         const QDir dir(folder);
         for (const QString &name : dir.entryList({u".autocuts-*.set"_s}, QDir::Files | QDir::Hidden)) {
-            QFile note(dir.filePath(name));
-            if (!note.open(QIODevice::ReadWrite) || !isOwn(note) || isLocked(note))
+            const std::optional<FoundSet> set = findSet(dir.filePath(name));
+            if (!set)
                 continue;
-            const std::vector<SetFile> files = filesOf(note);
             bool isDone = true;
-            const QString line =
-                files.empty() ? QString() : endSet(files, QDir::toNativeSeparators(folder), isDone);
+            const QString line = endSet(*set, QDir::toNativeSeparators(folder), isDone);
             if (!line.isEmpty())
                 lines << line;
-            if (isDone)
-                note.remove();
+            for (std::size_t i = 0; isDone && i < (set->isWhole ? set->notes.size() : 1); ++i)
+                set->notes[i]->remove();
         }
     }
     return lines;

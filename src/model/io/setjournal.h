@@ -9,10 +9,11 @@
 
 namespace autocuts {
 
-//! Says in a hidden file of each folder, .autocuts-ID.set, which files are about to be replaced there. First
-//! NAME.ID.new gets the content of each file and NAME.ID.old a hard link to the old one, in this order of the
-//! files; then each NAME.ID.new becomes NAME. So whoever finds the note knows what to do: where the last
-//! NAME.ID.new is there, all were ready, and the rest of them can be put in place.
+//! Says in a hidden file of each folder, .autocuts-ID.set, which files are about to be replaced, there and in
+//! the other folders of the set. First NAME.ID.new gets the content of each file and NAME.ID.old a hard link
+//! to the old one, in this order of the files; then each NAME.ID.new becomes NAME. So whoever finds the note
+//! knows what to do: where the last NAME.ID.new is there, all were ready, and the rest of them can be put in
+//! place. Files of another folder are touched only where that folder has the same note.
 class SetJournal
 {
 public:

@@ -1,5 +1,7 @@
 #include "model/io/transfersource.h"
 
+#include "model/document/documentstate.h"
+#include "model/io/fileclashes.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/plain/uvlayout.h"
@@ -37,18 +39,25 @@ Result<TransferSource> readTransferSource(const QString &path, const std::atomic
         Result<LoadedProject> project = loadProject(path, stop);
         if (!project)
             return project.error();
+        QStringList files = filesOfSession(project->state, path);
         Scene &scene = project->state.scene;
         return TransferSource{scene.mesh,
                               std::move(scene.uvSets),
                               project->state.activeUvSet,
                               std::move(scene.objectNames),
                               path,
-                              lossesOf(path, project->warnings)};
+                              lossesOf(path, project->warnings),
+                              std::move(files)};
     }
     Result<Scene> scene = readMesh(path, stop, tileHeight);
     if (!scene)
         return scene.error();
-    return TransferSource{scene->mesh, std::move(scene->uvSets), 0, std::move(scene->objectNames), path};
+    DocumentState model;
+    model.scene = std::move(scene).value();
+    QStringList files = filesOfSession(model, path);
+    return TransferSource{
+        model.scene.mesh, std::move(model.scene.uvSets), 0, std::move(model.scene.objectNames), path, {},
+        std::move(files)};
 }
 
 } // namespace autocuts

@@ -17,6 +17,7 @@ struct TransferSource
     std::vector<QString> objectNames;
     QString path;
     QStringList warnings = {}; //!< what a session has lost, see lossesOf()
+    QStringList files = {};    //!< that it was read from
 
     //! The UVs of the active set; a layout without UVs when there is none.
     UvMatrix uv() const;

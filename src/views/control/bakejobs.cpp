@@ -45,11 +45,12 @@ Result<DocumentState> readDetailed(const QString &path, const std::atomic<bool> 
 
 //! Takes the positions of a cage from a file.
 Result<Done> readCage(const QString &path, const MeshData &low, const std::atomic<bool> &stop,
-                      bake::CageSettings &cage, QStringList &warnings)
+                      bake::CageSettings &cage, QStringList &files, QStringList &warnings)
 {
     const Result<DocumentState> read = readDetailed(path, stop, warnings);
     if (!read)
         return read.error();
+    files << filesOfSession(read.value(), path, true);
     const MeshData &mesh = *read->scene.mesh;
     if (mesh.faceStart != low.faceStart || mesh.cornerVertex != low.cornerVertex)
         return Error{JobTexts::tr("the cage has other faces than the model"), path, 0,
@@ -113,7 +114,7 @@ QStringList filesToKeep(const DocumentState &model, const QString &sessionPath, 
         if (!choice.high.isEmpty() && color != set.end() && pictures.contains(color->second.picture.file))
             kept.removeAll(color->second.picture.file);
     }
-    return kept + QStringList{choice.high, choice.cageFile};
+    return kept;
 }
 
 PictureDepth depthOf(int bits)
@@ -124,7 +125,7 @@ PictureDepth depthOf(int bits)
 } // namespace
 
 Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSettings &packing,
-                                  const BakeChoice &choice, const std::atomic<bool> &stop,
+                                  const BakeChoice &choice, const std::atomic<bool> &stop, QStringList &files,
                                   QStringList &warnings)
 {
     const Scene &scene = model.scene;
@@ -177,13 +178,15 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
     const Result<DocumentState> high = readDetailed(choice.high, stop, warnings);
     if (!high)
         return high.error();
+    files << filesOfSession(high.value(), choice.high, true);
     job.kind = bake::SourceKind::Detailed;
     job.high = shadedSurface(high->scene);
     if (const QString moved = placeLike(*job.high, job.low); !moved.isEmpty())
         warnings << moved;
     takeColors(high.value(), *job.high);
     if (!choice.cageFile.isEmpty()) {
-        const Result<Done> cage = readCage(choice.cageFile, *scene.mesh, stop, job.settings.cage, warnings);
+        const Result<Done> cage =
+            readCage(choice.cageFile, *scene.mesh, stop, job.settings.cage, files, warnings);
         if (!cage)
             return cage.error();
     }
@@ -220,7 +223,9 @@ MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const Ba
 {
     MapJobResult result;
     QStringList warnings = endBrokenSets({choice.folder, choice.high});
-    const Result<bake::BakeJob> job = makeBakeJob(model, input.packing, choice, control.stop(), warnings);
+    QStringList read;
+    const Result<bake::BakeJob> job =
+        makeBakeJob(model, input.packing, choice, control.stop(), read, warnings);
     if (!job) {
         result.problem =
             control.stop() ? JobTexts::tr("Cancelled: nothing was baked") : job.error().toString();
@@ -235,7 +240,8 @@ MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const Ba
         for (const int tile : job->tiles)
             pictures << pathOf(map, tile);
     }
-    const Result<Done> fine = checkOutputs(pictures, filesToKeep(model, input.sessionPath, choice, pictures));
+    const Result<Done> fine =
+        checkOutputs(pictures, read + filesToKeep(model, input.sessionPath, choice, pictures));
     if (!fine) {
         result.problem = fine.error().toString();
         return result;

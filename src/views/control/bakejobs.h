@@ -9,10 +9,10 @@
 namespace autocuts {
 
 //! The bake of a choice. Reads the detailed model, so it takes long.
-//! \param scene of the document, its first UV set being the active one \param warnings gets what is not as
-//! wished
+//! \param scene of the document, its first UV set being the active one \param files gets those that the
+//! other models were read from \param warnings gets what is not as wished
 Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSettings &packing,
-                                  const BakeChoice &choice, const std::atomic<bool> &stop,
+                                  const BakeChoice &choice, const std::atomic<bool> &stop, QStringList &files,
                                   QStringList &warnings);
 
 //! Bakes and writes the pictures; the map stays as it is. \param model as above \param input its packing and

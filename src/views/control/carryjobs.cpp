@@ -136,8 +136,11 @@ MapJobResult carryJob(const CarryInput &input, const QString &sessionPath, const
     const BakedTiles tiles = tilesToBake(*scene.mesh, model.low.uv, tileHeight);
     const CarryPlan plan =
         planCarrying(input.state, {choice.folder, choice.suffix, tiles.numbers.size() > 1, choice.format});
-    const Result<Done> fine = checkOutputs(
-        plan.existingFiles(), filesOfSession(input.state, sessionPath, true) + QStringList{choice.file});
+    DocumentState other;
+    other.scene = before.value();
+    const Result<Done> fine =
+        checkOutputs(plan.existingFiles(), filesOfSession(input.state, sessionPath, true) +
+                                               filesOfSession(other, choice.file, true));
     if (!fine)
         return failed(fine.error().toString());
     const JobContext context(

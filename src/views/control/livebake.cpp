@@ -198,8 +198,8 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
     runOnPool(
         mThreads,
         [model, one, flag = mStop, packing = document->packingSettings()] {
-            QStringList warnings;
-            Result<bake::BakeJob> job = makeBakeJob(model, packing, one, *flag, warnings);
+            QStringList read, warnings;
+            Result<bake::BakeJob> job = makeBakeJob(model, packing, one, *flag, read, warnings);
             if (!job)
                 return Made{nullptr, job.error().toString()};
             LiveBakeModel live;
