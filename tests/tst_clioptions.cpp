@@ -293,10 +293,11 @@ private Q_SLOTS:
             QCOMPARE(given.unwrap.packing.udimTile, standard.unwrap.packing.udimTile);
             QCOMPARE(given.separation, standard.separation);
             QCOMPARE(given.borderAttached, standard.borderAttached);
+            QCOMPARE(given.oneTile, standard.oneTile);
             QCOMPARE(given.match, standard.match);
             ++checked;
         }
-        QCOMPARE(checked, 46);
+        QCOMPARE(checked, 47);
     }
 
     void twoDashesEndTheOptions()

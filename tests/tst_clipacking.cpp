@@ -208,14 +208,16 @@ private Q_SLOTS:
                                                   {{2.83, 0.2}, 0, scale},
                                                   {{2.4, 1.4}, 0, 2 * scale}});
         const QTemporaryDir folder;
-        const QString in = folder.filePath(u"in.obj"_s), out = folder.filePath(u"out.glb"_s);
+        const QString in = folder.filePath(u"in.obj"_s), out = folder.filePath(u"out.acproj"_s);
         QVERIFY(writeMesh(laidOut->state().scene, in));
         const QString command = words.takeFirst();
         const test::CliRun run =
             test::runInProcess(QStringList{command, in, u"-o"_s, out, u"--pack-time=0.05"_s} + words);
         QCOMPARE(run.code, 0);
-        const Scene scene = readMesh(out).value();
-        const UvMatrix &uv = scene.uvSets.back().uv;
+        const Scene scene = loadProject(out).value().state.scene;
+        const auto set = std::ranges::find(scene.uvSets, u"Lightmap"_s, &UvSet::name);
+        QCOMPARE(set != scene.uvSets.end(), command == u"lightmap"_s);
+        const UvMatrix &uv = set != scene.uvSets.end() ? set->uv : scene.uvSets.front().uv;
         QList<int> now, all;
         QList<double> densities;
         for (int t = 0; t < scene.mesh->triangleCount(); ++t) {
@@ -231,8 +233,8 @@ private Q_SLOTS:
         QVERIFY(std::abs(layoutBox(uv).min().x() - std::floor(layoutBox(uv).min().x())) < 0.1);
         if (command == u"lightmap"_s) // one density in all tiles
             QVERIFY(*std::ranges::max_element(densities) < 1.001 * *std::ranges::min_element(densities));
-        QCOMPARE(run.out.contains(u"islands stay in their tiles: 1001, 1002, 1003, 1013"_s),
-                 command == u"pack"_s && tiles == QList<int>{1001, 1002, 1003, 1013});
+        const bool saysKept = command == u"pack"_s && tiles.contains(1013);
+        QCOMPARE(run.out.contains(u"islands stay in their tiles: 1001, 1002, 1003, 1013"_s), saysKept);
     }
 
 private:
