@@ -229,11 +229,14 @@ private Q_SLOTS:
                        "--quality --for --flat --alike --creases --crease-strength --visibility "
                        "--symmetry --align --mirror --world-up --allow-overlaps --no-pack --per --density"_s);
         QTest::newRow("pack") << u"pack"_s
-                              << common + words(u"--into --keep-scale --per --density --fill-tiles"_s);
-        QTest::newRow("separate") << u"separate"_s << common + words(u"--separate-by --per --density"_s);
-        QTest::newRow("lightmap") << u"lightmap"_s << lightmap;
-        QTest::newRow("finish") << u"finish"_s
-                                << common + words(u"--max-distortion --seams --seams-from --per --density"_s);
+                              << common +
+                                     words(u"--into --keep-scale --per --density --fill-tiles --tiles"_s);
+        QTest::newRow("separate") << u"separate"_s
+                                  << common + words(u"--separate-by --per --density --tiles"_s);
+        QTest::newRow("lightmap") << u"lightmap"_s << lightmap + words(u"--tiles"_s);
+        QTest::newRow("finish")
+            << u"finish"_s
+            << common + words(u"--max-distortion --seams --seams-from --per --density --tiles"_s);
         QTest::newRow("transfer")
             << u"transfer"_s
             << words(u"-o --from --from-uv-set --from-object --textures --match --texture-size --only "
@@ -290,10 +293,11 @@ private Q_SLOTS:
             QCOMPARE(given.unwrap.packing.udimTile, standard.unwrap.packing.udimTile);
             QCOMPARE(given.separation, standard.separation);
             QCOMPARE(given.borderAttached, standard.borderAttached);
+            QCOMPARE(given.oneTile, standard.oneTile);
             QCOMPARE(given.match, standard.match);
             ++checked;
         }
-        QCOMPARE(checked, 46);
+        QCOMPARE(checked, 47);
     }
 
     void twoDashesEndTheOptions()
@@ -377,6 +381,7 @@ private Q_SLOTS:
         row("pack a -o b --density 5 --keep-scale", "--density excludes");
         row("pack a -o b --density 0", "--density takes a number");
         row("pack a -o b --fill-tiles --into 0,0,1,1", "--fill-tiles excludes");
+        row("pack a -o b --tiles one --per object", "--tiles one excludes");
         row("lightmap a -o b --per object", "--per does not belong to this command");
         row("unwrap a -o b --layout l.jpg", "--layout takes a .png or .svg file");
         row("unwrap a -o b --threads 0", "--threads takes a whole number from 1");

@@ -2,8 +2,10 @@
 #include "cli/commandline.h"
 #include "commands/editrectangles.h"
 #include "commands/setislandflags.h"
+#include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/plain/udimtiles.h"
+#include "model/plain/uvlayout.h"
 #include "support/cliruns.h"
 #include "support/pieces.h"
 
@@ -12,6 +14,9 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -175,6 +180,61 @@ private Q_SLOTS:
         QVERIFY(packed->uv().bottomRows(test::partCorners) == mDocument->uv().bottomRows(test::partCorners));
         const double before = (middle(*mDocument, 1) - middle(*mDocument, 0)).norm();
         QVERIFY(std::abs((middle(*packed, 1) - middle(*packed, 0)).norm() - before) < 1e-9);
+    }
+
+    void plainFilesKeepTheirTiles_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<double>("scale"); // of the islands
+        QTest::addColumn<QList<int>>("tiles");
+        const QList<int> kept{1001, 1002, 1003, 1013}, one{1001, 1001, 1001, 1001};
+        QTest::newRow("pack") << QStringList{u"pack"_s} << 1.0 << kept;
+        QTest::newRow("lightmap") << QStringList{u"lightmap"_s} << 1.0 << kept;
+        QTest::newRow("one tile") << QStringList{u"pack"_s, u"--tiles=one"_s} << 1.0 << one;
+        QTest::newRow("lightmap in one tile") << QStringList{u"lightmap"_s, u"--tiles=one"_s} << 1.0 << one;
+        QTest::newRow("another tile")
+            << QStringList{u"pack"_s, u"--tile=1004"_s} << 1.0 << QList<int>{1004, 1004, 1004, 1004};
+        QTest::newRow("a texture that repeats") << QStringList{u"pack"_s} << 40.0 << one;
+    }
+
+    //! Islands of a file in several tiles, of which one reaches over the border of its tile.
+    void plainFilesKeepTheirTiles()
+    {
+        QFETCH(QStringList, words);
+        QFETCH(double, scale);
+        QFETCH(QList<int>, tiles);
+        const auto laidOut = test::partsDocument({{{0.1, 0.1}, 0, scale},
+                                                  {{1.2, 0.3}, 0, scale},
+                                                  {{2.83, 0.2}, 0, scale},
+                                                  {{2.4, 1.4}, 0, 2 * scale}});
+        const QTemporaryDir folder;
+        const QString in = folder.filePath(u"in.obj"_s), out = folder.filePath(u"out.acproj"_s);
+        QVERIFY(writeMesh(laidOut->state().scene, in));
+        const QString command = words.takeFirst();
+        const test::CliRun run =
+            test::runInProcess(QStringList{command, in, u"-o"_s, out, u"--pack-time=0.05"_s} + words);
+        QCOMPARE(run.code, 0);
+        const Scene scene = loadProject(out).value().state.scene;
+        const auto set = std::ranges::find(scene.uvSets, u"Lightmap"_s, &UvSet::name);
+        QCOMPARE(set != scene.uvSets.end(), command == u"lightmap"_s);
+        const UvMatrix &uv = set != scene.uvSets.end() ? set->uv : scene.uvSets.front().uv;
+        QList<int> now, all;
+        QList<double> densities;
+        for (int t = 0; t < scene.mesh->triangleCount(); ++t) {
+            const auto &[a, b, c] = scene.mesh->triangles[t];
+            const Vec2 middle = (uv.row(a) + uv.row(b) + uv.row(c)).transpose() / 3;
+            all << 1001 + int(std::floor(middle.x())) + 10 * int(std::floor(middle.y()));
+            const double area = cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c))) / 2;
+            densities << std::sqrt(area / scene.mesh->triangleArea[t]);
+        }
+        for (int part = 0; part < 4; ++part)
+            now << all[part * all.size() / 4];
+        QCOMPARE(now, tiles);
+        QVERIFY(std::abs(layoutBox(uv).min().x() - std::floor(layoutBox(uv).min().x())) < 0.1);
+        if (command == u"lightmap"_s) // one density in all tiles
+            QVERIFY(*std::ranges::max_element(densities) < 1.001 * *std::ranges::min_element(densities));
+        const bool saysKept = command == u"pack"_s && tiles.contains(1013);
+        QCOMPARE(run.out.contains(u"islands stay in their tiles: 1001, 1002, 1003, 1013"_s), saysKept);
     }
 
 private:

@@ -1,5 +1,6 @@
 // The Layout menu at work: after, after undo and after redo.
 #include "commands/setislandflags.h"
+#include "commands/setislandtag.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/pieces.h"
 #include "support/studioparts.h"
@@ -10,6 +11,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 
+#include <cmath>
 #include <functional>
 #include <numbers>
 #include <numeric>
@@ -249,6 +251,76 @@ private Q_SLOTS:
         QVERIFY(studio.document().state() == before);
         studio.trigger("uv.scatter");
         QVERIFY(studio.document().uv() == first);
+    }
+
+    //! The selected islands go to the same place in another tile; one entry, undone and done again.
+    void islandsAreSentToATile()
+    {
+        PartsStudio studio;
+        const UvMatrix before = studio.document().uv();
+        studio.selectParts({0, 3});
+        studio.answers.onDialog = [](QDialog &dialog) {
+            dialog.findChild<QDoubleSpinBox *>()->setValue(1012);
+            return int(QDialog::Accepted);
+        };
+        studio.trigger("uv.sendToTile");
+        const UvMatrix after = studio.document().uv();
+        for (int part = 0; part < 4; ++part) {
+            const Vec2 way(part == 0   ? 1
+                           : part == 3 ? -1
+                                       : 0,
+                           part == 0   ? 1
+                           : part == 3 ? -1
+                                       : 0); // from 1001 and 1023
+            const auto rows = Eigen::seqN(studio.rowOf(part), test::partCorners);
+            QVERIFY(((after - before)(rows, Eigen::all).rowwise() - way.transpose()).cwiseAbs().maxCoeff() <
+                    1e-12);
+        }
+        QCOMPARE(studio.said.last().first().toString(), u"Islands sent to tile 1012: 2"_s);
+        QCOMPARE(studio.document().undoStack().count(), 1);
+        studio.trigger("edit.undo");
+        QVERIFY(studio.document().uv() == before);
+        studio.trigger("edit.redo");
+        QVERIFY(studio.document().uv() == after);
+    }
+
+    //! All islands of a tile are locked, and unlocked again.
+    void aTileIsLocked()
+    {
+        PartsStudio studio; // the parts 0 to 2 lie in 1001, of which one is locked, 3 in 1023
+        const auto locked = [&] {
+            QString text;
+            for (int part = 0; part < 4; ++part)
+                text += studio.document().marks().flagsOf(studio.document().islands().faces(part)).locked != 0
+                            ? u'L'
+                            : u'-';
+            return text;
+        };
+        studio.selectParts({1});
+        studio.trigger("uv.lock");
+        studio.selectParts({0});
+        studio.trigger("uv.lockTile");
+        QCOMPARE(locked(), u"LLL-"_s);
+        studio.trigger("uv.lockTile");
+        QCOMPARE(locked(), u"----"_s);
+        studio.trigger("edit.undo");
+        QCOMPARE(locked(), u"LLL-"_s);
+    }
+
+    //! The islands of a tag get a tile of their own, the others the last one.
+    void tagsGetTiles()
+    {
+        PartsStudio studio;
+        for (const auto &[name, part] : {std::pair(u"arm"_s, 3), std::pair(u"leg"_s, 1)})
+            pushCommand(
+                std::make_unique<SetIslandTag>(studio.document(), name, std::vector<int>{part}, true));
+        studio.document().setSelection({});
+        studio.trigger("uv.packTags");
+        QVERIFY(studio.rests());
+        QList<int> tiles;
+        for (int part = 0; part < 4; ++part)
+            tiles << 1001 + int(std::floor(studio.box(part).center().x()));
+        QCOMPARE(tiles, (QList<int>{1003, 1002, 1003, 1001}));
     }
 
     void densityIsAsked()

@@ -185,6 +185,27 @@ private Q_SLOTS:
         QVERIFY((turned - Vec2(0.5, 1)).norm() < 1e-9);
     }
 
+    //! Typed lengths and the panel's are in one unit, which is chosen.
+    void typedMovesHaveAUnit()
+    {
+        selectFaces(leftFaces);
+        for (const LengthUnit unit : {LengthUnit::Texels, LengthUnit::Uv}) {
+            const UvMatrix before = document().uv();
+            ToolSettings tools = mStudio->view.tools();
+            tools.unit = unit;
+            mStudio->view.setTools(tools);
+            mouse(pixel({0.25, 0.5}));
+            mStudio->tools.choose(u"move"_s);
+            for (const int key : {Qt::Key_Period, Qt::Key_5})
+                QTest::keyClick(&view(), static_cast<Qt::Key>(key));
+            QVERIFY2(tool().hint().contains(unit == LengthUnit::Texels ? u"texels"_s : u"UV units"_s),
+                     qPrintable(tool().hint()));
+            QTest::keyClick(&view(), Qt::Key_Return);
+            const double way = (document().uv() - before).col(0).maxCoeff();
+            QVERIFY(std::abs(way - (unit == LengthUnit::Uv ? 0.5 : 0.5 / 2048)) < 1e-12);
+        }
+    }
+
     void snapping_data()
     {
         QTest::addColumn<QString>("id");

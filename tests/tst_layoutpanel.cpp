@@ -40,6 +40,9 @@ struct LayoutBench : test::PanelBench
         pushCommand(std::make_unique<SetUvs>(document(), UvEdit::Move, looseSquares(document().mesh())));
         stack().clear();
         select({0, 1});
+        ToolSettings tools = context.view.tools();
+        tools.unit = LengthUnit::Uv;
+        context.view.setTools(tools);
         const bool shown = test::showPanel(panel) && test::isUpToDate(panel);
         Q_ASSERT(shown);
         Q_UNUSED(shown);
@@ -143,7 +146,7 @@ private Q_SLOTS:
         QFETCH(int, pivot);
         QFETCH(QPointF, first);
         LayoutBench bench;
-        bench.view.setTools({Pivot(pivot), Vec2(3, 1), SnapTo::Nothing});
+        bench.view.setTools({Pivot(pivot), Vec2(3, 1), SnapTo::Nothing, LengthUnit::Uv});
         QTRY_COMPARE(child<QComboBox>(bench.panel, "pivot")->currentIndex(), pivot);
         bench.type("width", QStringLiteral("4.5"));
         QVERIFY(near(bench.box(0).min(), {first.x(), first.y()}));

@@ -11,6 +11,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 
@@ -54,7 +56,7 @@ private Q_SLOTS:
         const std::vector<float> joined(mesh.cornerPairCount(), 0.1f);
         const std::atomic<bool> stop = false;
         const auto made =
-            LivePacker::makeArrangement(mesh, held, document->packingSettings(), joined, soup, stop);
+            LivePacker::makeArrangement(mesh, held, {}, document->packingSettings(), joined, soup, stop);
         QVERIFY(made);
         QCOMPARE(made->middle.size(), std::size_t(3));
         QCOMPARE(made->held, (std::vector<char>{0, 1, 0}));
@@ -67,13 +69,36 @@ private Q_SLOTS:
         // A cut inside a part makes another piece of it; too many pieces, or one, are left alone.
         const std::vector<float> open(mesh.cornerPairCount(), 0.9f);
         const auto more =
-            LivePacker::makeArrangement(mesh, held, document->packingSettings(), open, soup, stop);
+            LivePacker::makeArrangement(mesh, held, {}, document->packingSettings(), open, soup, stop);
         QVERIFY(more);
         QCOMPARE(more->middle.size(), std::size_t(9));
         const auto one = test::partsDocument({{}});
-        QVERIFY(!LivePacker::makeArrangement(one->mesh(), std::vector<bool>(3), one->packingSettings(),
+        QVERIFY(!LivePacker::makeArrangement(one->mesh(), std::vector<bool>(3), {}, one->packingSettings(),
                                              std::vector<float>(one->mesh().cornerPairCount()),
                                              soupUv(one->mesh(), one->uv()), stop));
+    }
+
+    //! The pieces of each tile lie around it.
+    void piecesStayByTheirTiles()
+    {
+        const auto document = test::partsDocument({{}, {}, {}, {}});
+        const MeshData &mesh = document->mesh();
+        const UvMatrix soup = soupUv(mesh, document->uv());
+        std::vector<int> tiles;
+        for (int face = 0; face < mesh.faceCount(); ++face)
+            tiles.push_back(face / test::partFaces < 2 ? 1001 : 1003);
+        const std::atomic<bool> stop = false;
+        const auto made = LivePacker::makeArrangement(
+            mesh, std::vector<bool>(mesh.faceCount()), tiles, document->packingSettings(),
+            std::vector<float>(mesh.cornerPairCount(), 0.1f), soup, stop);
+        QVERIFY(made);
+        for (int part = 0; part < 4; ++part)
+            QCOMPARE(std::floor(made->middle[part].x()), part < 2 ? 0.0 : 2.0);
+        UvMatrix moved = soup;
+        for (int t = 0; t < mesh.triangleCount(); ++t)
+            moved.middleRows(3 * t, 3).rowwise() +=
+                (made->middle[made->piece[t]] - boxOf(soup, made->piece[t]).center()).transpose();
+        QVERIFY(apart(moved, 4));
     }
 
     void nothingButTheViewChanges()

@@ -1,4 +1,5 @@
 // Painting seam weights with the brush, in both views.
+#include "commands/settexelweights.h"
 #include "commands/setuvs.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
@@ -32,6 +33,68 @@ private Q_SLOTS:
         mStudio->tools.setTool(u"paint"_s);
     }
     void cleanup() { mStudio.reset(); }
+
+    //! The paint of another tool, as a session has it, gives way while this tool is active.
+    void otherPaintGivesWay()
+    {
+        const auto show = [this](Coloring coloring) {
+            ViewOptions options = mStudio->view.options();
+            options.coloring = coloring;
+            mStudio->view.setOptions(options);
+        };
+        const auto shown = [this] { return mStudio->view.options().coloring; };
+        mStudio->tools.setTool(u"select"_s);
+        for (const Coloring before : {Coloring::Plain, Coloring::TexelWeights}) {
+            show(before);
+            mStudio->tools.setTool(u"paint"_s);
+            QCOMPARE(shown(), Coloring::PaintWeights);
+            mStudio->tools.setTool(u"select"_s);
+            QCOMPARE(shown(), before);
+        }
+        show(Coloring::Density); // chosen by the user
+        mStudio->tools.setTool(u"paint"_s);
+        QCOMPARE(shown(), Coloring::Density);
+        mStudio->tools.setTool(u"texelWeight"_s);
+        QCOMPARE(shown(), Coloring::Density);
+    }
+
+    //! A selection leaves the difference between painted and other faces.
+    void selectionLeavesPaint()
+    {
+        std::vector<double> weights;
+        IndexRanges half;
+        const MeshData &mesh = document().mesh();
+        for (int face = 0; face < mesh.faceCount(); ++face) {
+            if (mesh.cornerPosition(mesh.faceStart[face]).x() < -0.01) {
+                half.append(face);
+                weights.push_back(4);
+            }
+        }
+        pushCommand(std::make_unique<SetTexelWeights>(document(), half, weights));
+        ViewOptions options = mStudio->view.options();
+        options.coloring = Coloring::TexelWeights;
+        options.wireframe = false;
+        mStudio->view.setOptions(options);
+        const auto difference = [this] {
+            const QImage picture = mStudio->mesh.grabFramebuffer();
+            const double ratio = mStudio->mesh.devicePixelRatioF();
+            const auto color = [&](double x) {
+                return picture.pixelColor((QPointF(at(mStudio->mesh, x, 0.55)) * ratio).toPoint());
+            };
+            const QColor left = color(-0.28), right = color(0.22);
+            return std::abs(left.red() - right.red()) + std::abs(left.green() - right.green()) +
+                   std::abs(left.blue() - right.blue());
+        };
+        const int before = difference();
+        QVERIFY2(before > 60, qPrintable(QString::number(before)));
+        Selection all;
+        all.mode = SelectionMode::Faces;
+        for (int face = 0; face < mesh.faceCount(); ++face)
+            all.faces << face;
+        document().setSelection(all);
+        const int selected = difference();
+        QVERIFY2(selected > 0.6 * before, qPrintable(u"%1 of %2"_s.arg(selected).arg(before)));
+    }
 
     void strokesAreOneEntry_data()
     {

@@ -4,6 +4,7 @@
 #include "views/canvas/uvview.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -90,6 +91,31 @@ private Q_SLOTS:
         }
         QCOMPARE(deaf.join(QStringLiteral(", ")), QString());
         QVERIFY2(tried > (key == Qt::Key_Space ? 30 : 60), qPrintable(QString::number(tried)));
+    }
+
+    //! The keys of a tool do not become those of actions when a panel has the focus.
+    void keysOfToolsWorkInPanels()
+    {
+        const auto studio = ready();
+        QVERIFY(studio);
+        studio->window.tools().setTool(u"paint"_s);
+        const QSignalSpy mode(studio->action("select.edges"), &QAction::triggered);
+        auto *islands = studio->window.findChild<QDockWidget *>(u"islands"_s);
+        islands->show();
+        islands->raise();
+        QWidget *list = nullptr;
+        for (QWidget *control : islands->findChildren<QAbstractItemView *>()) {
+            if (control->isVisible() && control->focusPolicy() != Qt::NoFocus)
+                list = control;
+        }
+        QVERIFY(list);
+        for (const auto &[key, paint] : {std::pair(Qt::Key_2, 1), std::pair(Qt::Key_3, 2)}) {
+            list->setFocus();
+            QVERIFY(list->hasFocus());
+            QTest::keyClick(studio->window.windowHandle(), key);
+            QTRY_COMPARE(int(studio->window.tools().tool()->options().front().value), paint);
+        }
+        QCOMPARE(mode.count(), 0);
     }
 
     void keysWorkAfterClicksOnAllButtons_data()

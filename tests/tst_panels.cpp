@@ -10,6 +10,7 @@
 #include "views/panels/heatlegend.h"
 #include "views/panels/historypanel.h"
 #include "views/panels/historyview.h"
+#include "views/panels/mapoutcome.h"
 #include "views/panels/overlappanel.h"
 #include "views/panels/packpanel.h"
 #include "views/panels/seamcounts.h"
@@ -28,6 +29,7 @@
 #include <QTreeWidget>
 
 using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
 using test::Bench;
 using test::child;
 using test::click;
@@ -75,6 +77,20 @@ class TestPanels : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    //! What is proposed for a map keeps the work of the hand where that can be mended.
+    void whatComesNext()
+    {
+        const auto document = test::layoutDocument(test::grid(2));
+        MapFigures figures;
+        metrics::UvMetrics &m = figures.metrics;
+        m.charts = 1;
+        m.symDirichlet = m.tileDirichlet = 5;
+        m.chartSymDirichlet.assign(document->islands().count(), 5);
+        QCOMPARE(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction), "uv.finish"_L1);
+        m.flipped = 1;
+        QCOMPARE(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction), "uv.unwrap"_L1);
+    }
+
     void emptyStates()
     {
         checkEmptyState<HistoryPanel>("history");

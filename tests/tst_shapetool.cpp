@@ -47,6 +47,35 @@ private Q_SLOTS:
     }
     void cleanup() { mStudio.reset(); }
 
+    //! A brush that is held still works on.
+    void heldStillItWorksOn_data()
+    {
+        QTest::addColumn<QString>("tool");
+        QTest::newRow("pinch") << u"pinchBrush"_s;
+        QTest::newRow("relax") << u"relaxBrush"_s;
+    }
+    void heldStillItWorksOn()
+    {
+        QFETCH(QString, tool);
+        mStudio->tools.setTool(tool);
+        const UvMatrix before = document().uv();
+        const auto change = [&] { return (document().uv() - before).norm(); };
+        Canvas &view = canvas(true);
+        const QPoint place = at(view, 0.45, 0.5);
+        Canvases::moveMouse(view, place);
+        QTest::mousePress(&view, Qt::LeftButton, {}, place);
+        QTRY_VERIFY(change() > 0);
+        const double first = change();
+        QTRY_VERIFY2(change() > 1.5 * first, qPrintable(u"%1, %2"_s.arg(first).arg(change())));
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, place);
+        QCOMPARE(document().undoStack().count(), 1);
+        const UvMatrix after = document().uv();
+        QTest::qWait(300); // nothing works on
+        QVERIFY(document().uv() == after);
+        document().undoStack().undo();
+        QVERIFY(document().uv() == before);
+    }
+
     void strokesAreOneEntry_data()
     {
         QTest::addColumn<bool>("inMap");

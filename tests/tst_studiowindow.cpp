@@ -3,6 +3,7 @@
 #include "views/canvas/mapoverlays.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
+#include "views/panels/noticebar.h"
 #include "views/ui/dialogsize.h"
 
 #include <QAbstractSpinBox>
@@ -41,6 +42,48 @@ private Q_SLOTS:
         const QSize space = window.screen()->availableSize();
         QVERIFY(window.width() < space.width() && window.height() < space.height());
         QVERIFY2(window.minimumHeight() <= 500, qPrintable(QString::number(window.minimumHeight())));
+    }
+
+    //! Narrow windows have the panels on one side, whatever the size at the start was.
+    void panelsFollowTheWidth()
+    {
+        StudioSession studio;
+        studio.window.arrangeFor({1920, 1080});
+        const auto onTheLeft = [&] {
+            return studio.window.dockWidgetArea(dock(studio, "history")) == Qt::LeftDockWidgetArea &&
+                   !dock(studio, "history")->isHidden();
+        };
+        QTRY_VERIFY(onTheLeft());
+        studio.window.resize(1280, 700);
+        QTRY_VERIFY(!onTheLeft());
+        studio.window.resize(1700, 900);
+        QTRY_VERIFY(onTheLeft());
+        // What was saved in a wide window is not for a narrow one.
+        studio.preferences.setWindowLayout(studio.window.saveGeometry(), studio.window.saveState(0));
+        MainWindow next(studio.preferences, studio.folder.filePath(QStringLiteral("next")));
+        next.arrangeFor({1280, 800});
+        QVERIFY(next.findChild<QDockWidget *>(QStringLiteral("history"))->isHidden());
+    }
+
+    //! Messages lie over the views, which stay where they are.
+    void messagesMoveNothing()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        QVERIFY(studio.jobsRest());
+        QWidget &view = studio.window.uvView();
+        const auto place = [&] {
+            QCoreApplication::processEvents();
+            return QRect(view.mapTo(&studio.window, QPoint(0, 0)), view.size());
+        };
+        const QRect before = place();
+        auto *notice = studio.window.findChild<NoticeBar *>();
+        notice->showNotice(QStringLiteral("This could not be done. Try something else"));
+        QTRY_VERIFY(notice->isVisible() && notice->height() > 10);
+        QCOMPARE(place(), before);
+        QCOMPARE(notice->width(), studio.window.centralWidget()->width());
+        studio.window.resize(studio.window.size() + QSize(-40, 0));
+        QTRY_COMPARE(notice->width(), studio.window.centralWidget()->width());
     }
 
     void theViewsGetTheWidth_data()

@@ -6,8 +6,10 @@
 #include "views/canvas/mapoverlays.h"
 #include "views/canvas/overlays.h"
 
+#include <QImage>
 #include <QPainter>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -31,6 +33,32 @@ class TestViews : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    //! In a narrow view the legend of the edges that are kept straight lies over the other one, not on it.
+    void legendsStayApart_data()
+    {
+        QTest::addColumn<int>("width");
+        QTest::newRow("narrow") << 260;
+        QTest::newRow("wide") << 900;
+    }
+    void legendsStayApart()
+    {
+        QFETCH(int, width);
+        const QTemporaryDir folder;
+        const Preferences preferences(folder.filePath(QStringLiteral("autocuts.ini")));
+        const ViewColors colors = ViewColors::of(preferences.values(), true);
+        ViewOptions options;
+        options.coloring = Coloring::SignedStretch;
+        QImage image(width, 300, QImage::Format_RGB32);
+        image.fill(Qt::darkGreen);
+        QPainter painter(&image);
+        const QRectF legend = drawLegend(painter, image.rect(), colors, options, false, 1);
+        QVERIFY(!legend.isEmpty());
+        const QImage before = image.copy();
+        drawStraightLegend(painter, image.rect(), colors, legend);
+        QVERIFY(image != before);
+        QVERIFY(image.copy(legend.toAlignedRect()) == before.copy(legend.toAlignedRect()));
+    }
+
     void init()
     {
         mStudio = std::make_unique<Canvases>();

@@ -24,6 +24,7 @@ uniform ivec2 hoverTriangles, hoverSides;
 uniform uint hoverIsland;
 uniform vec4 sideColors[9];
 uniform float sideHalfWidths[8];
+uniform float selectionShare; // of its colour over that of a face
 uniform vec4 selectionColor, hoverColor, overlapColor, flippedColor;
 
 #include "picture.glsl"
@@ -133,7 +134,7 @@ vec4 marked(vec4 face, uint marks)
         hovered = (bytes.r | (bytes.g << 8) | (bytes.b << 16) | (bytes.a << 24)) == hoverIsland;
     }
     if ((marks & selectedMark) != 0u)
-        face = vec4(mix(face.rgb, selectionColor.rgb, 0.6), max(face.a, 0.5));
+        face = vec4(mix(face.rgb, selectionColor.rgb, selectionShare), max(face.a, 0.5));
     // In light they would hide the textures, which often lie mirrored and one over another; the map shows them.
     bool problems = pattern != 3;
     if (problems && (marks & flippedMark) != 0u) {

@@ -1783,6 +1783,22 @@
         <source>Take away the elements at both ends of each row of selected ones</source>
         <translation>Die Elemente an beiden Enden jeder Reihe ausgewählter wegnehmen</translation>
     </message>
+    <message>
+        <source>Pack a tile for each &amp;tag</source>
+        <translation>Eine Kachel für jeden &amp;Namen packen</translation>
+    </message>
+    <message>
+        <source>Give the islands of every tag a UDIM tile of their own, those without a tag the last one; islands that are selected, or all of them</source>
+        <translation>Gibt den Inseln jedes Namens eine eigene UDIM-Kachel, denen ohne Namen die letzte; gewählten Inseln oder allen</translation>
+    </message>
+    <message>
+        <source>&amp;Lock or unlock the tile</source>
+        <translation>Die Kachel sperren oder &amp;entsperren</translation>
+    </message>
+    <message>
+        <source>Lock all islands of the tiles of the selected islands, or unlock them when all are locked</source>
+        <translation>Sperrt alle Inseln der Kacheln der gewählten Inseln, oder entsperrt sie, wenn alle gesperrt sind</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -2136,6 +2152,10 @@
         <source>%1, %2 texels</source>
         <translation>%1, %2 Texel</translation>
     </message>
+    <message>
+        <source>%1, %2 UV units</source>
+        <translation>%1, %2 UV-Einheiten</translation>
+    </message>
 </context>
 <context>
     <name>Journal</name>
@@ -2201,6 +2221,18 @@
     <message>
         <source>Tiles</source>
         <translation>Kacheln</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>In</translation>
+    </message>
+    <message>
+        <source>Unit of lengths that are shown here and typed during a move; texels are those of the texture size of the Packing panel</source>
+        <translation>Einheit von Längen, die hier gezeigt und beim Verschieben getippt werden; Texel sind die der Texturgröße im Bedienfeld Packen</translation>
+    </message>
+    <message>
+        <source>UV units</source>
+        <translation>UV-Einheiten</translation>
     </message>
 </context>
 <context>
@@ -4970,6 +5002,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Islands sent to tile %1: %2</source>
         <translation>In Kachel %1 gesendete Inseln: %2</translation>
     </message>
+    <message>
+        <source>The selected islands belong to no tile</source>
+        <translation>Die gewählten Inseln gehören zu keiner Kachel</translation>
+    </message>
+    <message>
+        <source>Islands unlocked: %1</source>
+        <translation>Inseln entsperrt: %1</translation>
+    </message>
+    <message>
+        <source>Islands locked: %1</source>
+        <translation>Inseln gesperrt: %1</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::IslandPanel</name>
@@ -5125,10 +5169,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>px/Einheit</translation>
     </message>
     <message>
-        <source>Texel density: texels per unit of the model at the texture size of the Packing panel</source>
-        <translation>Texeldichte: Texel je Einheit des Modells bei der Texturgröße aus dem Bedienfeld Packen</translation>
-    </message>
-    <message>
         <source>D</source>
         <translation>D</translation>
     </message>
@@ -5151,6 +5191,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Islands of one group move together</source>
         <translation>Inseln einer Gruppe bewegen sich gemeinsam</translation>
+    </message>
+    <message>
+        <source>Texel density: texels per unit of the model at the texture size of the Packing panel, where the painted texel density weight is 1</source>
+        <translation>Texeldichte: Texel je Einheit des Modells bei der Texturgröße im Bedienfeld Packen, wo das gemalte Gewicht der Texeldichte 1 ist</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>wahr</translation>
+    </message>
+    <message>
+        <source>Texels per unit of the model that the island has, with its painted weights</source>
+        <translation>Texel je Einheit des Modells, die die Insel hat, mit ihren gemalten Gewichten</translation>
     </message>
 </context>
 <context>
@@ -5256,14 +5308,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Ausgewählte Inseln</translation>
     </message>
     <message>
-        <source>UV units</source>
-        <translation>UV-Einheiten</translation>
-    </message>
-    <message>
-        <source>Texels</source>
-        <translation>Texel</translation>
-    </message>
-    <message>
         <source>Keep proportions</source>
         <translation>Seitenverhältnis behalten</translation>
     </message>
@@ -5298,14 +5342,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Degrees, counter-clockwise, about the pivot</source>
         <translation>Grad, gegen den Uhrzeigersinn, um den Drehpunkt</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>In</translation>
-    </message>
-    <message>
-        <source>Texels are those of the texture size of the Packing panel</source>
-        <translation>Texel sind die der Texturgröße aus dem Bedienfeld Packen</translation>
     </message>
     <message>
         <source>Cursor</source>
@@ -6268,6 +6304,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>%1. There is no room for the islands at their scale: all of a tile are smaller now</source>
         <translation>%1. In ihrer Größe ist für die Inseln kein Platz: alle einer Kachel sind jetzt kleiner</translation>
+    </message>
+    <message>
+        <source>%1. Islands that stay as they were, because there is no room for better ones: %2</source>
+        <translation>%1. Inseln, die bleiben, wie sie waren, weil für bessere kein Platz ist: %2</translation>
     </message>
 </context>
 <context>

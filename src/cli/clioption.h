@@ -12,27 +12,28 @@ namespace autocuts {
 
 //! Groups of options. A command has all options of its groups.
 enum class OptionGroup {
-    Output = 1,           //!< the file to write
-    Bound = 256,          //!< bounds of the distortion
-    Solving = 2,          //!< how seams and distortion are optimised
-    Texture = 4,          //!< the texture for figures in texels
-    Packing = 8,          //!< how islands are arranged
-    Placing = 16,         //!< where islands are packed, and whether they are scaled
-    Separating = 2048,    //!< how overlaps are cut apart
-    Making = 32,          //!< limits and reports, for all commands that make a map
-    Measuring = 64,       //!< how figures are printed
-    Seaming = 512,        //!< whose seams
-    Scope = 1024,         //!< the part of the model that may change, or is measured
-    Bordering = 32768,    //!< how that part ends inside of islands
-    UvSets = 4096,        //!< which of the file's UV sets
-    NewUvSets = 8192,     //!< into a set of its own
-    Tiling = 16384,       //!< what gets a tile of its own
-    Transferring = 65536, //!< where UVs come from
-    Baking = 131072,      //!< pictures that are made
-    Limiting = 262144,    //!< time, threads and the report
-    Lighting = 524288,    //!< light that is baked
-    Converting = 1048576, //!< what is written although something is lost
-    Everything = 128      //!< for all commands
+    Output = 1,             //!< the file to write
+    Bound = 256,            //!< bounds of the distortion
+    Solving = 2,            //!< how seams and distortion are optimised
+    Texture = 4,            //!< the texture for figures in texels
+    Packing = 8,            //!< how islands are arranged
+    Placing = 16,           //!< where islands are packed, and whether they are scaled
+    Separating = 2048,      //!< how overlaps are cut apart
+    Making = 32,            //!< limits and reports, for all commands that make a map
+    Measuring = 64,         //!< how figures are printed
+    Seaming = 512,          //!< whose seams
+    Scope = 1024,           //!< the part of the model that may change, or is measured
+    Bordering = 32768,      //!< how that part ends inside of islands
+    UvSets = 4096,          //!< which of the file's UV sets
+    NewUvSets = 8192,       //!< into a set of its own
+    Tiling = 16384,         //!< what gets a tile of its own
+    Transferring = 65536,   //!< where UVs come from
+    Baking = 131072,        //!< pictures that are made
+    Limiting = 262144,      //!< time, threads and the report
+    Lighting = 524288,      //!< light that is baked
+    Converting = 1048576,   //!< what is written although something is lost
+    KeepingTiles = 2097152, //!< whether the islands of several tiles stay in them
+    Everything = 128        //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)
 Q_DECLARE_OPERATORS_FOR_FLAGS(OptionGroups)

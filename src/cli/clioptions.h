@@ -75,6 +75,7 @@ struct CliOptions
     unwrap::UnwrapOptions unwrap; //!< its packing target is that of --tile or --into
     Only only;
     std::optional<SceneKind> per; //!< what gets a tile each
+    bool oneTile = false;         //!< pack the islands of several tiles into one
     double density = 0;           //!< texels per unit, in as many tiles as that needs; 0: not given
     bool fillTiles = false;       //!< pack into the free room of the tiles in use
     overlap::SeparationMethod separation = overlap::SeparationMethod::MinCut;

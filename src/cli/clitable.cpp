@@ -228,6 +228,16 @@ CliOption tilingOption()
         readPer};
 }
 
+CliOption tilesOption()
+{
+    return choice(
+        Group::KeepingTiles, u"--tiles"_s, fieldOf(&CliOptions::oneTile),
+        {{u"keep"_s, false}, {u"one"_s, true}},
+        u"islands of a layout of several UDIM tiles stay in their tiles, each in the one that holds most of "
+        "it; or all go into the tile of --tile, as they do when --tile names another one than 1001. A "
+        "texture that repeats over a wall is no layout of tiles"_s);
+}
+
 CliOption densityOption()
 {
     return number(
@@ -325,7 +335,7 @@ std::vector<CliOption> makingOptions()
 
 std::vector<CliOption> tilingOptions()
 {
-    return {tilingOption(), densityOption()};
+    return {tilingOption(), tilesOption(), densityOption()};
 }
 
 } // namespace
@@ -339,19 +349,21 @@ const std::vector<CliCommand> &cliCommands()
              Making | Limiting,
          u"make a UV map"_s},
         {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Placing | Scope | Bordering | Tiling | UvSets | NewUvSets | Making | Limiting,
+         Texture | Packing | Placing | Scope | Bordering | Tiling | KeepingTiles | UvSets | NewUvSets |
+             Making | Limiting,
          u"arrange the islands of an existing map anew"_s},
         {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Separating | Scope | Bordering | Tiling | UvSets | NewUvSets | Making | Limiting,
+         Texture | Packing | Separating | Scope | Bordering | Tiling | KeepingTiles | UvSets | NewUvSets |
+             Making | Limiting,
          u"cut islands that overlap themselves, then pack"_s},
         {Command::Lightmap, u"lightmap"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | UvSets | NewUvSets | Making | Limiting,
+         Texture | Packing | KeepingTiles | UvSets | NewUvSets | Making | Limiting,
          u"add a UV set for lightmaps, called Lightmap: the islands of the map without overlaps, stacks "
          u"taken "
          "apart, at one texel density"_s},
         {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Texture | Packing | Scope | Bordering | Tiling | UvSets | NewUvSets | Making |
-             Limiting,
+         Bound | Seaming | Texture | Packing | Scope | Bordering | Tiling | KeepingTiles | UvSets |
+             NewUvSets | Making | Limiting,
          u"make a half-solved map usable: seams decided, no overlaps, within the bound"_s},
         {Command::Transfer, u"transfer"_s, u"IN"_s, Output::Needed,
          Transferring | Texture | Scope | Bordering | UvSets | NewUvSets | Making | Limiting,

@@ -157,6 +157,8 @@ private:
             return usageError(QStringLiteral("--density excludes --per, --into, --keep-scale and --no-pack"));
         if (mOptions.fillTiles && (mOptions.per || mOptions.hasRectangle()))
             return usageError(QStringLiteral("--fill-tiles excludes --per and --into"));
+        if (mOptions.oneTile && (mOptions.per || mOptions.density > 0 || mOptions.fillTiles))
+            return usageError(QStringLiteral("--tiles one excludes --per, --density and --fill-tiles"));
         return std::nullopt;
     }
 

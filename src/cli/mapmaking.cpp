@@ -2,6 +2,7 @@
 
 #include "cli/batchpacking.h"
 #include "cli/batchscope.h"
+#include "model/plain/udimtiles.h"
 #include "solver/preference/meshsymmetry.h"
 #include "solver/unwrap/finishjob.h"
 #include "solver/unwrap/lightmapjob.h"
@@ -21,6 +22,15 @@ void setUv(Scene &scene, const UvMatrix &uv)
     if (scene.uvSets.empty())
         scene.uvSets.push_back({QStringLiteral("UVMap"), {}});
     scene.uvSets.front().uv = uv;
+}
+
+//! The tiles in which the islands of a job stay.
+QString tilesInWords(const std::vector<int> &tiles)
+{
+    QStringList numbers;
+    for (const int tile : tiles)
+        numbers << QString::number(tile);
+    return numbers.join(QStringLiteral(", "));
 }
 
 //! Says of a map of a stopped job whether it was straightened. \param straight see unwrap::UnwrapResult
@@ -144,6 +154,9 @@ Result<Done> MapMaking::packIslands(const Snapshot &snapshot, Scene &scene, Made
     const JobContext job = mJob.part(0, 1, JobStage::Packing);
     if (!unwrap::packCharts(mesh, charts, pack.value(), uv, job))
         return noRoomError(mOptions);
+    if (const std::vector<int> kept = usedTiles(pack->tiles); !mOptions.per && kept.size() > 1)
+        made.notes << QStringLiteral("islands stay in their tiles: %1 (--tiles one packs them into one)")
+                          .arg(tilesInWords(kept));
     setUv(scene, uv);
     return Done{};
 }
@@ -171,12 +184,9 @@ Result<Done> MapMaking::distribute(const ChartMap &charts, const unwrap::PackJob
     case Outcome::NoRoom:
         return noRoomError(mOptions);
     }
-    QStringList numbers;
-    for (const int tile : packed.tiles)
-        numbers << QString::number(tile);
     made.notes << QStringLiteral("islands packed: %1, into the tiles %2")
                       .arg(packed.packed)
-                      .arg(numbers.join(QStringLiteral(", ")));
+                      .arg(tilesInWords(packed.tiles));
     if (packed.tooLarge > 0)
         made.warnings << QStringLiteral("islands larger than a tile at this density: %1; each has a tile of "
                                         "its own, in which it is smaller")
@@ -269,6 +279,13 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
     setUv(scene, made.uv);
     if (const Result<Done> packed = packIntoTiles(snapshot.value(), scene, outcome); !packed)
         return packed.error();
+    if (made.madeSmaller)
+        outcome.warnings << QStringLiteral("there is no room for the islands at their scale: all of a tile "
+                                           "are smaller now");
+    if (made.notReplaced > 0)
+        outcome.notes << QStringLiteral("islands that stay as they were, because there is no room for better "
+                                        "ones: %1")
+                             .arg(made.notReplaced);
     if (made.nothingFree)
         outcome.warnings << nothingFree();
     else if (made.distortion > mOptions.unwrap.maxDistortion)
@@ -296,7 +313,19 @@ Result<Snapshot> MapMaking::snapshotOf(const Scene &scene) const
     if (!scope)
         return scope.error();
     snapshot->scope = scope.value();
+    snapshot->keepTiles = !mOptions.oneTile && (snapshot->keepTiles || hasOwnTiles(snapshot.value()));
     return snapshot;
+}
+
+//! True when the map of a file lies in other tiles than the first one, and the job arranges it.
+bool MapMaking::hasOwnTiles(const Snapshot &snapshot) const
+{
+    if (mOptions.command == CliOptions::Command::Unwrap || !snapshot.uv ||
+        mOptions.unwrap.packing.udimTile != PackingSettings::firstTile)
+        return false;
+    const std::vector<int> tiles =
+        usedTiles(udimTiles(*snapshot.mesh, *snapshot.uv, mOptions.unwrap.packing.tileHeight()));
+    return !tiles.empty() && tiles != std::vector{PackingSettings::firstTile};
 }
 
 void MapMaking::sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const

@@ -51,6 +51,7 @@ private:
                             MadeMap &made) const;
     //! The input of the solver, with the scope of --only.
     Result<Snapshot> snapshotOf(const Scene &scene) const;
+    bool hasOwnTiles(const Snapshot &snapshot) const;
     void sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const;
     void sayBoundMissed(double distortion, MadeMap &made) const;
     QString nothingFree() const;

@@ -6,6 +6,7 @@
 #include "commands/hidefaces.h"
 #include "commands/islandtransform.h"
 #include "commands/keepstraight.h"
+#include "commands/newmap.h"
 #include "commands/reset.h"
 #include "commands/setislandtag.h"
 #include "commands/setseamweights.h"
@@ -357,6 +358,15 @@ std::vector<Case> uvCases()
          "Separate overlaps",
          {u"uv 1 set 0: 7-7"_s},
          none(UvEdit::Separate)},
+        {"align to the axes", // the faces of the island count as aligned from then on
+         [](Document &d) {
+             UvMatrix uv = d.uv();
+             uv(7, 0) = 3;
+             return newMapCommand(d, UvEdit::AlignToAxes, uv, 1, {0, 1});
+         },
+         "Align 1 island to the axes",
+         {u"uv 1 set 0: 7-7"_s, u"flag 16: 0-1"_s, u"uv 2 set 0:"_s},
+         [](Document &d) { return newMapCommand(d, UvEdit::AlignToAxes, d.uv(), 1); }},
         {"clear UVs", reset(Reset::Uvs), "Clear UVs", {u"uv 1 set 0: 0-63"_s, u"uv 2 set 0:"_s}, nullptr},
     };
 }

@@ -28,6 +28,23 @@ std::vector<SceneGroup> sceneGroups(const Scene &scene, SceneKind kind)
     return groups;
 }
 
+std::vector<SceneGroup> tagGroups(const IslandMarks &marks, int faceCount)
+{
+    std::vector<int> groupOf(static_cast<std::size_t>(faceCount), static_cast<int>(marks.tags.size()));
+    for (std::size_t tag = marks.tags.size(); tag-- > 0;) {
+        for (const int face : marks.tags[tag].faces)
+            groupOf[static_cast<std::size_t>(face)] = static_cast<int>(tag);
+    }
+    std::vector<SceneGroup> groups;
+    for (const IslandTag &tag : marks.tags)
+        groups.push_back({SceneKind::Tags, static_cast<int>(groups.size()), tag.name, {}});
+    groups.push_back({SceneKind::Tags, -1, {}, {}});
+    for (int face = 0; face < faceCount; ++face)
+        groups[static_cast<std::size_t>(groupOf[static_cast<std::size_t>(face)])].faces.append(face);
+    std::erase_if(groups, [](const SceneGroup &group) { return group.faces.isEmpty(); });
+    return groups;
+}
+
 std::vector<int> groupOfFaces(const std::vector<SceneGroup> &groups, int faceCount)
 {
     std::vector<int> groupOf(static_cast<std::size_t>(faceCount), 0);

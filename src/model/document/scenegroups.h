@@ -1,6 +1,7 @@
 // The objects and the materials of a model, with their faces.
 #pragma once
 
+#include "model/document/islands.h"
 #include "model/document/scene.h"
 #include "model/plain/chart.h"
 
@@ -9,20 +10,24 @@
 namespace autocuts {
 
 //! What a model is divided into.
-enum class SceneKind { Objects, Materials };
+enum class SceneKind { Objects, Materials, Tags };
 
-//! One object or material.
+//! One object, material or tag.
 struct SceneGroup
 {
     SceneKind kind = SceneKind::Objects;
-    int number = 0;   //!< index of its name in the scene; -1: the faces without a material
-    QString name;     //!< as in the file; may be empty, and shared by several objects
+    int number = 0;   //!< index of its name; -1: the faces without one
+    QString name;     //!< may be empty, and shared by several objects
     QList<int> faces; //!< strictly ascending, not empty
 };
 
 //! The objects or materials that have faces, in the order of the file; last the faces without a material,
 //! when there are any.
 std::vector<SceneGroup> sceneGroups(const Scene &scene, SceneKind kind);
+
+//! The faces of each tag; last the faces without one, when there are any. A face of several tags belongs to
+//! the first one.
+std::vector<SceneGroup> tagGroups(const IslandMarks &marks, int faceCount);
 
 //! The group of each face, as an index into groups. \param groups of sceneGroups()
 std::vector<int> groupOfFaces(const std::vector<SceneGroup> &groups, int faceCount);

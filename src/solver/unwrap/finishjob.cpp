@@ -11,8 +11,10 @@
 #include "solver/preference/seampreference.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/freepart.h"
+#include "solver/unwrap/keptplaces.h"
 #include "solver/unwrap/keptscale.h"
 #include "solver/unwrap/mapbefore.h"
+#include "solver/unwrap/oldplaces.h"
 #include "solver/unwrap/rectanglefit.h"
 
 #include <algorithm>
@@ -29,6 +31,7 @@ constexpr double touchingDelta = 1e-9;
 constexpr double usualSteps = 1000;
 //! Time for straightening after a stop. Chosen by hand.
 constexpr auto timeAfterStop = std::chrono::milliseconds(100);
+constexpr double sameSize = 1e-6; // maps of sizes that differ by this share are equally large
 
 void load(const FinishInput &input, const FreePart &part, int threads, homotopy::Solver &solver)
 {
@@ -50,6 +53,14 @@ void load(const FinishInput &input, const FreePart &part, int threads, homotopy:
     }
 }
 
+double tileDirichlet(const Snapshot &snapshot, const UvMatrix &uv)
+{
+    metrics::UvMetricsOptions options;
+    options.overlaps = options.gutter = false;
+    options.tileHeight = snapshot.tileHeight;
+    return metrics::measureUv(*snapshot.mesh, uv, options).tileDirichlet;
+}
+
 //! True for the map of a document, whose islands have the sizes that the user gave them. The islands of a map
 //! in a plain file get one texel density.
 bool keepsScales(const Snapshot &snapshot)
@@ -57,23 +68,46 @@ bool keepsScales(const Snapshot &snapshot)
     return snapshot.uv && snapshot.keepTiles;
 }
 
+//! Per chart: true when pins or a rectangle say where it is.
+std::vector<bool> heldPlaces(const FreePart &part, const CutMesh &charts)
+{
+    std::vector<bool> held = heldCharts(part.snapshot(), charts);
+    held.resize(charts.chartCount);
+    for (const UvRectangle &box : part.snapshot().steering->rectangles) {
+        for (const int corner : box.soupCorners)
+            held[charts.chart[corner / 3]] = true;
+    }
+    return held;
+}
+
 //! Packs the finished map where islands overlap or are not where they belong.
-void place(const FinishInput &input, const ChartMap &charts, bool stays, const JobContext &job,
+void place(const FinishInput &input, const FreePart &part, NewCharts map, const JobContext &job,
            FinishResult &result)
 {
-    PackJob pack = steeredPackJob(input.snapshot, input.packing);
+    const Snapshot &snapshot = input.snapshot;
+    const MeshData &mesh = *snapshot.mesh;
+    PackJob pack = steeredPackJob(snapshot, input.packing);
     pack.options.keepScale = false; // where there is no room, all islands become smaller
-    const bool keeps = keepsScales(input.snapshot);
-    pack.keepScaleIfPossible = stays || keeps;
+    const bool keeps = keepsScales(snapshot);
+    pack.keepScaleIfPossible = !part.isWhole() || snapshot.placesIslands() || keeps;
     if (keeps)
         pack.density = packing::DensityBasis::Given;
-    const MeshData &mesh = *input.snapshot.mesh;
-    if (liesFree(mesh, charts, pack, result.uv, job))
-        return;
     const JobContext packing = job.part(0, 1, JobStage::Packing);
-    const bool packed = keeps ? packMisplaced(mesh, charts, pack, result.uv, packing)
-                              : packCharts(mesh, charts, pack, result.uv, packing);
-    result.noRoom = !packed && !job.stopped();
+    if (liesFree(mesh, map.charts, pack, map.uv, job)) {
+        result.uv = std::move(map.uv);
+    } else if (keeps && !input.live && keepPlaces(snapshot, part, pack, input.maxDistortion, map, packing)) {
+        result.notReplaced = map.notReplaced;
+        result.uv = std::move(map.uv);
+        if (map.notReplaced > 0)
+            result.distortion = tileDirichlet(snapshot, result.uv);
+    } else {
+        const double size = layoutScale(mesh, map.uv);
+        const bool packed = keeps ? packMisplaced(mesh, map.charts, pack, map.uv, packing)
+                                  : packCharts(mesh, map.charts, pack, map.uv, packing);
+        result.noRoom = !packed && !job.stopped();
+        result.madeSmaller = keeps && layoutScale(mesh, map.uv) < (1 - sameSize) * size;
+        result.uv = std::move(map.uv);
+    }
 }
 
 //! Takes the map before back when it obeys more joins.
@@ -177,13 +211,19 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     fitToRectangles(*part, soup, found->map, job);
     UvMatrix uv = own.uvScale * cornerUv(*soup, found->map);
     definite::openCuts(own, uv);
-    result.uv = part->wholeUv(uv);
     result.distortion = found->map.distortion(*soup);
-    const ChartMap charts = part->wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, found->map.cut)));
-    if (keepsScales(input.snapshot))
-        keepScales(input.snapshot, charts, steeredPackJob(input.snapshot, input.packing),
-                   part->unit() * layoutScale(*own.mesh, uv), result.uv);
-    place(input, charts, !part->isWhole() || input.snapshot.placesIslands(), job, result);
+    const CutMesh state(*own.mesh, found->map.cut);
+    const ChartMap charts = chartsOf(*own.mesh, state);
+    NewCharts map{part->wholeUv(uv), part->wholeCharts(charts)};
+    if (keepsScales(input.snapshot)) {
+        keepScales(input.snapshot, map.charts, steeredPackJob(input.snapshot, input.packing),
+                   part->unit() * layoutScale(*own.mesh, uv), map.uv);
+        if (!input.live)
+            map.uv = part->wholeUv(atOldPlaces(
+                *own.mesh, charts, heldPlaces(*part, state), {*own.uv, findCharts(*own.mesh, *own.uv)},
+                plan.isEmpty() ? PackRotation::Free : PackRotation::Quarter, part->partUv(map.uv)));
+    }
+    place(input, *part, std::move(map), job, result);
     result.unmet = unmetSteering(input.snapshot, result.uv);
     if (!input.live)
         keepBetterMap(input.snapshot, result);

@@ -27,9 +27,11 @@ struct FinishInput
 
 struct FinishResult
 {
-    UvMatrix uv;           //!< per corner, texture space; no rows when stopped before there was a map
-    double distortion = 0; //!< mean symmetric Dirichlet energy
-    bool noRoom = false;   //!< the islands had to be packed and there is no room for them
+    UvMatrix uv;              //!< per corner, texture space; no rows when stopped before there was a map
+    double distortion = 0;    //!< mean symmetric Dirichlet energy
+    bool noRoom = false;      //!< the islands had to be packed and there is no room for them
+    bool madeSmaller = false; //!< there was no room at their scale: the islands of some tiles are smaller
+    int notReplaced = 0;      //!< islands that stay as they were, because there is no room for better ones
     //! The map still has overlaps; edges joined by the user prevent cutting them apart.
     bool heldTogether = false;
     //! Set when something was to be straight: false when stopped before all of that was done.
@@ -40,7 +42,8 @@ struct FinishResult
 
 //! The whole finish: runs a paused solve to the end of its schedule, makes the refined map (a definite map
 //! whose seams the seam search has improved), and packs when islands overlap or leave their tile or
-//! rectangle. Without a live solve it starts from the seams of the given map. \pre the snapshot has a map
+//! rectangle. Without a live solve it starts from the seams of the given map, and islands of a document keep
+//! their scale, direction and place, see keepPlaces(). \pre the snapshot has a map
 [[nodiscard]] FinishResult finishMap(const FinishInput &input, const JobContext &job = {});
 
 } // namespace autocuts::unwrap

@@ -1,21 +1,16 @@
 #include "solver/unwrap/liveplacing.h"
 
 #include "model/plain/uvlayout.h"
-#include "solver/base/cornerat.h"
-#include "solver/base/rigidfit.h"
 #include "solver/definite/seamopening.h"
 #include "solver/unwrap/keptscale.h"
+#include "solver/unwrap/oldplaces.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace autocuts::unwrap {
 
 namespace {
-
-//! Where a chart without a place before is put, so that it counts as outside of its bin. Texture space.
-constexpr double nowhere = 1e3;
 
 double areaOf(const MeshData &mesh, const UvMatrix &uv)
 {
@@ -25,18 +20,6 @@ double areaOf(const MeshData &mesh, const UvMatrix &uv)
         area += 0.5 * cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c)));
     }
     return area;
-}
-
-//! The motion with an angle that is allowed.
-RigidMotion limited(RigidMotion motion, PackRotation turns)
-{
-    if (turns == PackRotation::Free)
-        return motion;
-    const bool upright = turns == PackRotation::None || std::abs(motion.c) >= std::abs(motion.s);
-    motion.c = turns == PackRotation::None ? 1 : upright ? std::copysign(1.0, motion.c) : 0;
-    motion.s = upright ? 0 : std::copysign(1.0, motion.s);
-    motion.shift = motion.fixedCentre - motion.turned(motion.movingCentre);
-    return motion;
 }
 
 //! Makes islands larger whose rectangles have become much larger than they are.
@@ -131,44 +114,6 @@ void LivePlacing::noteDrags(const MeshData &mesh, const ChartMap &charts, const 
     }
 }
 
-//! Moves every chart that is not held onto the place of the old chart that it has most in common with.
-UvMatrix LivePlacing::atOldPlaces(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &held,
-                                  const UvMatrix &uv, PackRotation turns) const
-{
-    const std::vector<std::vector<int>> faces = charts.faces();
-    UvMatrix placed = uv;
-    for (int chart = 0; chart < charts.count; ++chart) {
-        if (!held.empty() && held[chart])
-            continue;
-        std::map<int, std::pair<double, std::vector<PointMatch>>> byOldChart; // area, points
-        for (const int face : faces[chart]) {
-            auto &[area, points] = byOldChart[mBefore->charts.faceChart[face]];
-            const int first = mesh.faceStart[face], last = mesh.faceStart[face + 1];
-            double own = 0;
-            for (int c = first + 1; c + 1 < last; ++c)
-                own += 0.5 * cross2(Vec2(uv.row(first)), Vec2(uv.row(c)), Vec2(uv.row(c + 1)));
-            area += own;
-            for (int c = first; c < last && mBefore->uv.row(c).allFinite(); ++c)
-                points.push_back(
-                    {mBefore->uv.row(c).transpose(), uv.row(c).transpose(), std::max(own, 1e-12)});
-        }
-        byOldChart.erase(-1);
-        const auto most =
-            std::max_element(byOldChart.begin(), byOldChart.end(),
-                             [](const auto &a, const auto &b) { return a.second.first < b.second.first; });
-        RigidMotion motion;
-        if (most != byOldChart.end() && !most->second.second.empty())
-            motion = limited(fitRigid(most->second.second), turns);
-        else
-            motion.shift = Vec2::Constant(nowhere);
-        for (const int face : faces[chart]) {
-            for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
-                placed.row(c) = motion(uv.row(c).transpose()).transpose();
-        }
-    }
-    return placed;
-}
-
 UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, const Soup &soup,
                             const SeamedMap &map, const packing::PackOptions &options, bool afresh,
                             const std::vector<int> &dragged, PackRotation turns)
@@ -230,7 +175,8 @@ UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part,
         for (int c = mesh.faceStart[face]; charts.faceChart[face] >= 0 && c < mesh.faceStart[face + 1]; ++c)
             scaled.row(c) *= scales[charts.faceChart[face]];
     }
-    UvMatrix uv = part.wholeUv(atOldPlaces(mesh, charts, held, scaled, turns));
+    UvMatrix uv =
+        part.wholeUv(atOldPlaces(mesh, charts, held, {mBefore->uv, mBefore->charts}, turns, scaled));
     const ChartMap whole = part.wholeCharts(charts);
     if (onlyRectangles(pack) && liesFree(*snapshot.mesh, whole, pack, uv))
         growIntoRectangles(*snapshot.mesh, whole, pack, uv);

@@ -46,9 +46,6 @@ private:
     UvMatrix placeAgain(const Snapshot &snapshot, const FreePart &part, const ChartMap &charts,
                         const UvMatrix &shape, const PackJob &pack, PackRotation turns,
                         const std::vector<bool> &held, std::vector<double> scales);
-    UvMatrix atOldPlaces(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &held,
-                         const UvMatrix &uv, PackRotation turns) const;
-
     void noteDrags(const MeshData &mesh, const ChartMap &charts, const std::vector<int> &corners);
 
     std::optional<Before> mBefore;

@@ -350,31 +350,41 @@ bool packCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pac
     return BinPacker(mesh, charts, pack).run(uv, job);
 }
 
+bool packAround(const MeshData &mesh, const ChartMap &charts, PackJob pack, const std::vector<bool> &faces,
+                UvMatrix &uv, const JobContext &job)
+{
+    pack.stays.resize(faces.size());
+    for (std::size_t face = 0; face < faces.size(); ++face)
+        pack.stays[face] = pack.stays[face] || !faces[face];
+    pack.options.keepScale = true;
+    return packCharts(mesh, charts, pack, uv, job);
+}
+
+bool packTilesOf(const MeshData &mesh, const ChartMap &charts, PackJob pack, const std::vector<bool> &faces,
+                 UvMatrix &uv, const JobContext &job)
+{
+    std::set<int> tiles;
+    for (std::size_t face = 0; face < pack.tiles.size(); ++face) {
+        if (faces[face])
+            tiles.insert(pack.tiles[face]);
+    }
+    pack.stays.resize(faces.size());
+    for (std::size_t face = 0; face < pack.tiles.size(); ++face)
+        pack.stays[face] = pack.stays[face] || !tiles.contains(pack.tiles[face]);
+    return packCharts(mesh, charts, pack, uv, job);
+}
+
 bool packMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,
                    const JobContext &job)
 {
     const std::vector<bool> misplaced = misplacedFaces(mesh, charts, pack, uv, job);
     if (std::ranges::find(misplaced, true) == misplaced.end())
         return true;
-    PackJob around = pack;
-    around.stays.resize(misplaced.size());
-    for (std::size_t face = 0; face < misplaced.size(); ++face)
-        around.stays[face] = around.stays[face] || !misplaced[face];
-    around.options.keepScale = true;
-    PackJob unturned = around;
+    PackJob unturned = pack;
     unturned.options.rotation = PackRotation::None;
-    if (packCharts(mesh, charts, unturned, uv, job) || packCharts(mesh, charts, around, uv, job))
-        return true;
-    std::set<int> tiles; // the others stay as they are
-    for (std::size_t face = 0; face < pack.tiles.size(); ++face) {
-        if (misplaced[face])
-            tiles.insert(pack.tiles[face]);
-    }
-    PackJob again = pack;
-    again.stays.resize(misplaced.size());
-    for (std::size_t face = 0; face < pack.tiles.size(); ++face)
-        again.stays[face] = again.stays[face] || !tiles.contains(pack.tiles[face]);
-    return packCharts(mesh, charts, again, uv, job);
+    return packAround(mesh, charts, unturned, misplaced, uv, job) ||
+           packAround(mesh, charts, pack, misplaced, uv, job) ||
+           packTilesOf(mesh, charts, pack, misplaced, uv, job);
 }
 
 std::vector<bool> misplacedFaces(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,

@@ -60,6 +60,15 @@ struct PackJob
 [[nodiscard]] bool packCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,
                               const JobContext &job = {});
 
+//! Packs islands around all others, at their size. \param faces of the islands, per face
+//! \returns as packCharts()
+[[nodiscard]] bool packAround(const MeshData &mesh, const ChartMap &charts, PackJob pack,
+                              const std::vector<bool> &faces, UvMatrix &uv, const JobContext &job = {});
+
+//! Packs all islands of the tiles to which some faces belong. \returns as packCharts()
+[[nodiscard]] bool packTilesOf(const MeshData &mesh, const ChartMap &charts, PackJob pack,
+                               const std::vector<bool> &faces, UvMatrix &uv, const JobContext &job = {});
+
 //! Packs the islands that are not where they belong around the others, at their size and, as long as there is
 //! room, without turning them; where there is none, all islands of their tiles that may move.
 //! \returns as packCharts()

@@ -205,6 +205,12 @@ constexpr std::array uvTable{
                QT_TRANSLATE_NOOP("Actions", "Give every material a UDIM tile of its own, in the order of the "
                                             "file; islands that are selected, or all of them"),
                NeedsIdleMap},
+    ActionInfo{"uv.packTags", "UV/Pack into tiles", QT_TRANSLATE_NOOP("Actions", "Pack a tile for each &tag"),
+               "pack", "",
+               QT_TRANSLATE_NOOP("Actions", "Give the islands of every tag a UDIM tile of their own, those "
+                                            "without a tag the last one; islands that are selected, or all "
+                                            "of them"),
+               NeedsIdleMap},
     ActionInfo{"uv.packDensity", "UV/Pack into tiles",
                QT_TRANSLATE_NOOP("Actions", "Pack at a texel &density..."), "pack", "",
                QT_TRANSLATE_NOOP("Actions",
@@ -221,6 +227,12 @@ constexpr std::array uvTable{
         "uv.sendToTile", "UV/Pack into tiles", QT_TRANSLATE_NOOP("Actions", "&Send to a tile..."), "", "",
         QT_TRANSLATE_NOOP("Actions", "Move the selected islands into a UDIM tile, to the same place in it"),
         NeedsIslands},
+    ActionInfo{"uv.lockTile", "UV/Pack into tiles", QT_TRANSLATE_NOOP("Actions", "&Lock or unlock the tile"),
+               "lock", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Lock all islands of the tiles of the selected islands, or unlock "
+                                 "them when all are locked"),
+               NeedsIslands},
     ActionInfo{"uv.packSelection", "UV", QT_TRANSLATE_NOOP("Actions", "Pack &selection"), "pack-selection",
                "Shift+P", QT_TRANSLATE_NOOP("Actions", "Arrange the selected islands around the others"),
                NeedsIdleMap | NeedsSelection},

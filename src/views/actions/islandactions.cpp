@@ -1,6 +1,7 @@
 #include "views/actions/islandactions.h"
 
 #include "commands/islandtransform.h"
+#include "commands/setislandflags.h"
 #include "commands/stackislands.h"
 #include "model/plain/udimtiles.h"
 #include "views/actions/actionregistry.h"
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 namespace autocuts {
 
@@ -228,6 +230,7 @@ void IslandActions::connectDialogs()
 {
     onTriggered("uv.scatter", [this](Document &document) { askScatter(document); });
     onTriggered("uv.sendToTile", [this](Document &document) { askTile(document); });
+    onTriggered("uv.lockTile", [this](Document &document) { lockTile(document); });
     onTriggered("uv.packDensity", [this](Document &document) { askPackDensity(document); });
     onTriggered("uv.densitySet", [this](Document &document) { askDensity(document); });
 }
@@ -271,6 +274,33 @@ void IslandActions::askTile(Document &document)
     }
     if (pushCommand(movePieces(document, UvEdit::Move, pieces, transforms)))
         Q_EMIT said(tr("Islands sent to tile %1: %2").arg(mTile).arg(pieces.size()));
+}
+
+//! Locks all islands of the tiles in which selected ones are, or unlocks them when all are locked.
+void IslandActions::lockTile(Document &document)
+{
+    const TileLayout layout = findTiles(document.mesh(), findCharts(document.mesh(), document.uv()),
+                                        document.uv(), document.packingSettings().tileHeight());
+    std::set<int> tiles;
+    for (const int island : selectedIslands(document))
+        tiles.insert(layout.tile[island]);
+    tiles.erase(0);
+    std::vector<int> islands;
+    bool allLocked = true;
+    for (int island = 0; island < document.islands().count(); ++island) {
+        if (!tiles.contains(layout.tile[island]))
+            continue;
+        islands.push_back(island);
+        allLocked = allLocked && document.marks().flagsOf(document.islands().faces(island)).locked != 0;
+    }
+    if (islands.empty()) {
+        Q_EMIT said(tr("The selected islands belong to no tile"));
+        return;
+    }
+    using Edit = SetIslandFlags::Edit;
+    pushCommand(std::make_unique<SetIslandFlags>(document, allLocked ? Edit::Unlock : Edit::Lock, islands));
+    Q_EMIT said(allLocked ? tr("Islands unlocked: %1").arg(islands.size())
+                          : tr("Islands locked: %1").arg(islands.size()));
 }
 
 //! Of the selected islands, or of all when none are selected.

@@ -47,6 +47,7 @@ private:
     void askDensity(Document &document);
     void askPackDensity(Document &document);
     void askTile(Document &document);
+    void lockTile(Document &document);
 
     StudioContext mContext;
     Questions &mQuestions;

@@ -110,6 +110,7 @@ void UvActions::connectJobs()
     onTriggered("uv.pack", [&map] { map.pack(PackScope::All); });
     onTriggered("uv.packObjects", [&map] { map.packEach(SceneKind::Objects); });
     onTriggered("uv.packMaterials", [&map] { map.packEach(SceneKind::Materials); });
+    onTriggered("uv.packTags", [&map] { map.packEach(SceneKind::Tags); });
     onTriggered("uv.fillTiles", [&map] { map.fillTiles(); });
     onTriggered("uv.packSelection", [&map] { map.pack(PackScope::Selection); });
     onTriggered("uv.separate", [&map] { map.separateOverlaps(); });

@@ -104,11 +104,11 @@ void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &color
 }
 
 void drawTilesInUse(QPainter &painter, const ViewColors &colors, const MapCamera &camera, double tileHeight,
-                    const std::vector<int> &tiles)
+                    const std::vector<std::pair<int, QColor>> &tiles)
 {
     painter.setPen(QPen(colors.text, 1.4));
-    painter.setBrush(Qt::NoBrush);
-    for (const int tile : tiles) {
+    for (const auto &[tile, color] : tiles) {
+        painter.setBrush(color.isValid() ? QBrush(color) : QBrush(Qt::NoBrush));
         const Eigen::AlignedBox2d box = udimTile(tile, tileHeight);
         painter.drawRect(QRectF(camera.toScreen(box.min()), camera.toScreen(box.max())).normalized());
     }

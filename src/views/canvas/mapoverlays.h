@@ -5,6 +5,7 @@
 #include "views/canvas/mapcamera.h"
 #include "views/gl/viewcolors.h"
 
+#include <QColor>
 #include <QRect>
 
 #include <utility>
@@ -22,9 +23,9 @@ inline constexpr int rulerSize = 18;
 //! Draws the UDIM numbers of the visible tiles that are large enough, where the view does not cut them.
 void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
                    double tileHeight);
-//! Draws the sides of the tiles in use. \param tiles their numbers
+//! Draws the sides of the tiles in use, and tints them. \param tiles their numbers, with their colours
 void drawTilesInUse(QPainter &painter, const ViewColors &colors, const MapCamera &camera, double tileHeight,
-                    const std::vector<int> &tiles);
+                    const std::vector<std::pair<int, QColor>> &tiles);
 //! Draws rulers at the upper and left side, in texels from the corner of tile 1001. Numbers that the view
 //! would cut are left out.
 void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,

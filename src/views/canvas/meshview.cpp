@@ -187,6 +187,7 @@ void MeshView::drawScene(GlResources &gl)
     // The view turns directions without changing their lengths.
     drawing.toEnvironment = toEnvironment * QMatrix4x4(drawing.view.normalMatrix()).transposed();
     drawing.exposure = options.exposure;
+    drawing.selectionShare = selectionShare(options.coloring);
     drawing.tint = options.coloring == Coloring::Plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;
@@ -234,10 +235,11 @@ void MeshView::drawOverlay(QPainter &painter)
         badges << tr("Hidden faces: %1").arg(hidden);
     if (!badges.isEmpty())
         drawBadge(painter, rect(), colors, badges.join(tr(", ")));
-    drawLegend(painter, rect(), colors, studio().view.options(),
-               studio().preferences.values().colorBlindHeatMap, content().rightDensity());
+    const QRectF legend =
+        drawLegend(painter, rect(), colors, studio().view.options(),
+                   studio().preferences.values().colorBlindHeatMap, content().rightDensity());
     if (content().showsStraight())
-        drawStraightLegend(painter, rect(), colors);
+        drawStraightLegend(painter, rect(), colors, legend);
     drawHoverCorner(painter, *this);
 }
 

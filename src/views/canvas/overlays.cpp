@@ -146,12 +146,12 @@ void drawBadge(QPainter &painter, const QRect &view, const ViewColors &colors, c
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
-void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
-                bool colorBlind, double rightDensity)
+QRectF drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
+                  bool colorBlind, double rightDensity)
 {
     if (options.coloring == Coloring::Plain || options.coloring == Coloring::Islands ||
         options.coloring == Coloring::VertexColors)
-        return;
+        return {};
     const Legend legend =
         options.coloring == Coloring::SignedStretch      ? stretchLegend(options, colorBlind)
         : options.coloring == Coloring::StretchMagnitude ? magnitudeLegend(options, colorBlind)
@@ -163,7 +163,7 @@ void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, 
         44 + metrics.horizontalAdvance(legend.low + legend.middle + legend.high); // with room between them
     const int width = std::min(std::max(230, needed), view.width() - 40);
     if (width < 120)
-        return;
+        return {};
     const int lineHeight = metrics.height();
     const QRectF panel(view.right() - width - 12, view.bottom() - 2 * lineHeight - 38, width,
                        2 * lineHeight + 26);
@@ -182,16 +182,19 @@ void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, 
     painter.drawText(numbers, Qt::AlignLeft, legend.low);
     painter.drawText(numbers, Qt::AlignHCenter, legend.middle);
     painter.drawText(numbers, Qt::AlignRight, legend.high);
+    return panel;
 }
 
-void drawStraightLegend(QPainter &painter, const QRect &view, const ViewColors &colors)
+void drawStraightLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const QRectF &legend)
 {
     constexpr int lineLength = 22;
     const QString text = Overlays::tr("Kept straight");
     const QFontMetrics metrics = painter.fontMetrics();
     const int height = metrics.height() + 8;
-    const QRectF box(view.left() + 30, view.bottom() - height - 30,
-                     metrics.horizontalAdvance(text) + lineLength + 28, height);
+    QRectF box(view.left() + 30, view.bottom() - height - 30,
+               metrics.horizontalAdvance(text) + lineLength + 28, height);
+    if (box.intersects(legend)) // in a narrow view
+        box.moveBottom(legend.top() - 6);
     drawPanel(painter, box, colors);
     const auto style = static_cast<std::size_t>(SideStyle::Straight);
     painter.setPen(QPen(colors.sides[style], 0.5 * double(colors.sideWidths[style])));

@@ -20,10 +20,12 @@ void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors,
 void drawBadge(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &text);
 //! Draws the legend of the face colours; nothing when the colours show no number.
 //! \param rightDensity as SceneContent::rightDensity()
-void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
-                bool colorBlind, double rightDensity);
+//! \returns its place; null when there is none
+QRectF drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
+                  bool colorBlind, double rightDensity);
 //! Draws the legend of the edges that are kept straight, in the lower left corner.
-void drawStraightLegend(QPainter &painter, const QRect &view, const ViewColors &colors);
+//! \param legend place of the other one, which stays free
+void drawStraightLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const QRectF &legend);
 //! Draws a ring around the vertex under the mouse, in the mode for selecting vertices.
 void drawHoverCorner(QPainter &painter, const ToolCanvas &canvas);
 

@@ -1,5 +1,6 @@
 #include "views/canvas/uvview.h"
 
+#include "model/document/materialcolor.h"
 #include "model/plain/uvlayout.h"
 #include "views/canvas/glresources.h"
 #include "views/canvas/mapgrid.h"
@@ -181,6 +182,7 @@ void UvView::drawScene(GlResources &gl)
     drawing.pictures = &gl.pictures;
     drawing.onlySet = onlySet();
     drawing.shownChannel = std::max(options.shownChannel, 0);
+    drawing.selectionShare = selectionShare(options.coloring);
     drawing.tint = plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;
@@ -242,21 +244,31 @@ void UvView::drawOverlay(QPainter &painter)
     if (document && studio().view.tools().pivot == Pivot::Cursor)
         drawCursor(painter, colors, mCamera.toScreen(studio().view.tools().cursor));
     if (document) {
-        drawLegend(painter, rect(), colors, options, studio().preferences.values().colorBlindHeatMap,
-                   content().rightDensity());
+        const QRectF legend =
+            drawLegend(painter, rect(), colors, options, studio().preferences.values().colorBlindHeatMap,
+                       content().rightDensity());
         if (content().showsStraight())
-            drawStraightLegend(painter, rect(), colors);
+            drawStraightLegend(painter, rect(), colors, legend);
         drawHoverCorner(painter, *this);
     }
 }
 
-//! More than one, of the map that was measured last; otherwise none.
-std::vector<int> UvView::tilesInUse() const
+//! More than one, of the map that was measured last; otherwise none. Those of one material have its colour.
+std::vector<std::pair<int, QColor>> UvView::tilesInUse() const
 {
-    std::vector<int> tiles;
-    for (const metrics::TileFigures &tile : studio().map.figures()->metrics.tiles)
-        tiles.push_back(tile.tile);
-    return tiles.size() > 1 ? tiles : std::vector<int>();
+    constexpr int tint = 70; // of 255
+    const MapFigures &figures = *studio().map.figures();
+    const Scene &scene = studio().workspace.document()->state().scene;
+    std::vector<std::pair<int, QColor>> tiles;
+    for (const metrics::TileFigures &tile : figures.metrics.tiles) {
+        QColor color;
+        if (const auto found = figures.tileMaterial.find(tile.tile); found != figures.tileMaterial.end()) {
+            color = shownMaterialColor(scene, found->second);
+            color.setAlpha(tint);
+        }
+        tiles.emplace_back(tile.tile, color);
+    }
+    return tiles.size() > 1 ? tiles : std::vector<std::pair<int, QColor>>();
 }
 
 void UvView::navigate(Navigation navigation, const QPointF &pixels, const QPointF &start)

@@ -40,7 +40,7 @@ private:
     //! The texture of the document, or of new sessions.
     PackingSettings packing() const;
     void drawPaper(GlResources &gl);
-    std::vector<int> tilesInUse() const;
+    std::vector<std::pair<int, QColor>> tilesInUse() const;
     //! What the rulers cover.
     QMarginsF covered() const;
 

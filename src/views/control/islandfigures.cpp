@@ -55,6 +55,10 @@ std::vector<IslandFigures> islandFigures(const Document &document, const std::ve
         figures[i].faces = static_cast<int>(faces.size());
         figures[i].areaShare = area > 0 ? sums[i].area3d / area : 0;
         figures[i].texelDensity = sums[i].density(document.packingSettings().textureSize);
+        figures[i].shownDensity =
+            document.weightedMesh()->texelWeight.empty() || !(sums[i].area3d > 0)
+                ? std::numeric_limits<double>::quiet_NaN()
+                : document.packingSettings().textureSize * std::sqrt(sums[i].areaUv / sums[i].area3d);
         figures[i].distortion =
             i < distortion.size() ? distortion[i] : std::numeric_limits<double>::quiet_NaN();
         figures[i].flags = document.marks().flagsOf(faces);

@@ -15,6 +15,8 @@ struct IslandFigures
     int faces = 0;
     double areaShare = 0;    //!< share of the total 3D area of all islands, in [0, 1]
     double texelDensity = 0; //!< texels per unit of the model where the texel weight is 1; NaN without area
+    //! The same with the weights, so as the island has them; NaN without texel weights, or without area.
+    double shownDensity = 0;
     //! Mean symmetric Dirichlet energy at the scale that suits the island, so that it does not depend on the
     //! others; NaN when unknown.
     double distortion = 0;

@@ -112,8 +112,7 @@ void LiveDisplay::show()
         mShownMap.showMap(mMap->uv, std::move(soup));
     } else if (mView == LiveView::Soup && soup.rows() > 0) {
         if (mPacks)
-            mPacker.arrange(document.weightedMesh(), document.constraints(), document.packingSettings(),
-                            mSoup->separation, soup);
+            mPacker.arrange(document, mSoup->separation, soup);
         mShownMap.showSoup(std::move(soup), mSoup->separation, std::move(map));
     }
 }

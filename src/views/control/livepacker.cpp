@@ -1,5 +1,6 @@
 #include "views/control/livepacker.h"
 
+#include "model/plain/udimtiles.h"
 #include "solver/base/cutmesh.h"
 #include "solver/packing/packing.h"
 
@@ -7,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace autocuts {
 
@@ -87,10 +90,68 @@ bool stillFits(const LiveArrangement &arrangement, const MeshData &mesh, const C
     return mesh.triangleCount() > 0;
 }
 
+//! Per piece: the tile of most of its faces. \param faceTiles empty: there are none
+std::vector<int> tilesOf(const MeshData &mesh, const CutMesh &state, const std::vector<int> &faceTiles)
+{
+    std::vector<std::map<int, double>> areas(state.chartCount); // by tile
+    for (int t = 0; t < mesh.triangleCount() && !faceTiles.empty(); ++t)
+        areas[state.chart[t]][faceTiles[mesh.triangleFace[t]]] += mesh.triangleArea[t];
+    std::vector<int> tiles;
+    for (const auto &own : areas) {
+        const auto most = std::max_element(own.begin(), own.end(),
+                                           [](const auto &a, const auto &b) { return a.second < b.second; });
+        tiles.push_back(most == own.end() ? 0 : most->first);
+    }
+    return tiles;
+}
+
+//! Arranges some pieces around a point, beside all that are locked, and locks them there.
+//! \returns false when there is no room, or when stopped
+bool arrangeAround(const Vec2 &middle, const std::vector<int> &pieces, const Boxes &boxes,
+                   const PackingSettings &packing, std::vector<packing::PackIsland> &islands,
+                   LiveArrangement &result, const std::atomic<bool> &stop)
+{
+    std::vector<packing::PackIsland> present;
+    double area = 0;
+    for (const int p : pieces) {
+        present.push_back(islands[p]);
+        area += boxes[p].volume();
+    }
+    for (const packing::PackIsland &island : islands) {
+        if (island.locked)
+            present.push_back(island);
+    }
+    packing::PackOptions settings;
+    settings.textureSize = packing.textureSize;
+    settings.margin = packing.margin;
+    settings.rotation = PackRotation::None;
+    settings.keepScale = true;
+    settings.effort = packEffort;
+    double side = std::max(1.0, std::sqrt(area / firstFill));
+    for (int i = 0; i < mostWidenings && !stop; ++i, side *= widening) {
+        settings.lower = middle - Vec2::Constant(side / 2);
+        settings.upper = middle + Vec2::Constant(side / 2);
+        const packing::PackResult packed = packing::packIslands(present, settings, &stop);
+        if (!packed.complete)
+            continue;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            packing::PackIsland &island = islands[pieces[i]];
+            const Vec2 &way = packed.placements[i].translation;
+            for (Vec2 &point : island.points)
+                point += way;
+            island.locked = true;
+            result.middle[pieces[i]] += way;
+        }
+        return true;
+    }
+    return false;
+}
+
 } // namespace
 
 std::optional<LiveArrangement> LivePacker::makeArrangement(const MeshData &mesh,
                                                            const std::vector<bool> &heldFaces,
+                                                           const std::vector<int> &faceTiles,
                                                            const PackingSettings &packing,
                                                            const std::vector<float> &separation,
                                                            const UvMatrix &uv, const std::atomic<bool> &stop)
@@ -105,33 +166,27 @@ std::optional<LiveArrangement> LivePacker::makeArrangement(const MeshData &mesh,
         if (heldFaces[mesh.triangleFace[t]])
             result.held[state.chart[t]] = 1;
     }
-    std::vector<packing::PackIsland> islands = packIslandsOf(mesh, state, uv);
     const Boxes boxes = boxesOf(state.chart, state.chartCount, uv);
-    double area = 0;
+    for (const Eigen::AlignedBox2d &box : boxes)
+        result.extent.push_back(box.sizes());
+    std::vector<packing::PackIsland> islands = packIslandsOf(mesh, state, uv);
+    const std::vector<int> tiles = tilesOf(mesh, state, faceTiles);
     for (int p = 0; p < state.chartCount; ++p) {
         islands[p].locked = result.held[p] != 0;
-        area += boxes[p].volume();
-        result.extent.push_back(boxes[p].sizes());
+        result.middle.push_back(boxes[p].center());
     }
-    packing::PackOptions settings;
-    settings.textureSize = packing.textureSize;
-    settings.margin = packing.margin;
-    settings.rotation = PackRotation::None;
-    settings.keepScale = true;
-    settings.effort = packEffort;
-    double side = std::max(1.0, std::sqrt(area / firstFill));
-    for (int i = 0; i < mostWidenings && !stop; ++i, side *= widening) {
-        const Vec2 middle(0.5, 0.5 * packing.tileHeight());
-        settings.lower = middle - Vec2::Constant(side / 2);
-        settings.upper = middle + Vec2::Constant(side / 2);
-        const packing::PackResult packed = packing::packIslands(islands, settings, &stop);
-        if (!packed.complete)
-            continue;
-        for (int p = 0; p < state.chartCount; ++p)
-            result.middle.push_back(boxes[p].center() + packed.placements[p].translation);
-        return result;
+    for (const int tile : std::set<int>(tiles.begin(), tiles.end())) {
+        std::vector<int> pieces;
+        for (int p = 0; p < state.chartCount; ++p) {
+            if (tiles[p] == tile && result.held[p] == 0)
+                pieces.push_back(p);
+        }
+        const int number = tile > 0 ? tile : PackingSettings::firstTile;
+        if (!pieces.empty() && !arrangeAround(udimTile(number, packing.tileHeight()).center(), pieces, boxes,
+                                              packing, islands, result, stop))
+            return std::nullopt;
     }
-    return std::nullopt;
+    return result;
 }
 
 LivePacker::LivePacker(QObject *parent) : QObject(parent)
@@ -145,9 +200,11 @@ void LivePacker::reset()
     mArrangement.reset();
 }
 
-void LivePacker::arrange(const std::shared_ptr<const MeshData> &mesh, const Constraints &constraints,
-                         const PackingSettings &packing, const std::vector<float> &separation, UvMatrix &uv)
+void LivePacker::arrange(const Document &document, const std::vector<float> &separation, UvMatrix &uv)
 {
+    const std::shared_ptr<const MeshData> mesh = document.weightedMesh();
+    const Constraints &constraints = document.constraints();
+    const PackingSettings &packing = document.packingSettings();
     if (!mJobs.isBusy() && (!mArrangement || mSince.elapsed() >= packInterval)) {
         mSince.restart();
         std::vector<bool> held(mesh->faceCount());
@@ -162,10 +219,14 @@ void LivePacker::arrange(const std::shared_ptr<const MeshData> &mesh, const Cons
         }
         mJobs.start(
             tr("Packing"),
-            [=, last = mArrangement, place = uv](JobControl &control) -> std::optional<LiveArrangement> {
+            [=, last = mArrangement, place = uv,
+             map = document.uv()](JobControl &control) -> std::optional<LiveArrangement> {
                 if (last && stillFits(*last, *mesh, CutMesh(*mesh, cutsOf(*mesh, separation)), place))
                     return last;
-                return makeArrangement(*mesh, held, packing, separation, place, control.stop());
+                const std::vector<int> tiles = packing.udimTile == PackingSettings::firstTile
+                                                   ? udimTiles(*mesh, map, packing.tileHeight())
+                                                   : std::vector<int>();
+                return makeArrangement(*mesh, held, tiles, packing, separation, place, control.stop());
             },
             [this](std::optional<LiveArrangement> made) {
                 if (made == mArrangement)

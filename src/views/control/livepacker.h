@@ -1,8 +1,7 @@
 // Arranges the islands of a running solve side by side, for the views.
 #pragma once
 
-#include "model/document/constraints.h"
-#include "model/plain/packingsettings.h"
+#include "model/document/document.h"
 #include "views/control/jobrunner.h"
 
 #include <QElapsedTimer>
@@ -28,6 +27,7 @@ struct LiveArrangement
 //! Shows the pieces of the solver's map without overlaps, by moving a copy of each as a whole. The solver and
 //! the document are not changed. When the pieces have changed, a packer in the background makes a new
 //! arrangement; until then every piece stays in its place. Pieces with pins or in rectangles are not moved.
+//! Those of a layout of several tiles are arranged tile by tile.
 class LivePacker final : public QObject
 {
     Q_OBJECT
@@ -41,14 +41,16 @@ public:
     //! Moves the pieces to their places, and starts a new arrangement when it is due.
     //! \param uv one row per soup corner, texture space
     //! \param separation per corner pair
-    void arrange(const std::shared_ptr<const MeshData> &mesh, const Constraints &constraints,
-                 const PackingSettings &packing, const std::vector<float> &separation, UvMatrix &uv);
+    void arrange(const Document &document, const std::vector<float> &separation, UvMatrix &uv);
     //! Discards the arrangement, for a new solve.
     void reset();
 
-    //! Makes an arrangement; called in the background. Nothing when there are too many pieces, or only one.
+    //! Makes an arrangement; called in the background. \param faceTiles the tile around which the piece of
+    //! each face lies, per face; empty, or 0: the first one. Nothing when there are too many pieces, or only
+    //! one.
     static std::optional<LiveArrangement>
-    makeArrangement(const MeshData &mesh, const std::vector<bool> &heldFaces, const PackingSettings &packing,
+    makeArrangement(const MeshData &mesh, const std::vector<bool> &heldFaces,
+                    const std::vector<int> &faceTiles, const PackingSettings &packing,
                     const std::vector<float> &separation, const UvMatrix &uv, const std::atomic<bool> &stop);
 
 Q_SIGNALS:

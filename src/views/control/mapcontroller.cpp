@@ -6,6 +6,7 @@
 #include "model/document/makesnapshot.h"
 #include "model/io/instances.h"
 #include "model/io/texturefiles.h"
+#include "model/plain/udimtiles.h"
 #include "solver/metrics/uvoverlaps.h"
 #include "solver/overlap/overlapseparation.h"
 #include "views/control/bakejobs.h"
@@ -40,6 +41,25 @@ DocumentState activeFirst(const Document &document)
     const auto active = sets.begin() + document.activeUvSet();
     std::rotate(sets.begin(), active, active + 1);
     return model;
+}
+
+//! The tiles in use whose islands have one material; empty where there is one tile only.
+std::map<int, int> materialsOfTiles(const Scene &scene, const MeshData &mesh, const UvMatrix &uv,
+                                    double tileHeight)
+{
+    std::map<int, int> materials;
+    const std::vector<int> tiles = udimTiles(mesh, uv, tileHeight);
+    if (usedTiles(tiles).size() < 2)
+        return materials;
+    constexpr int several = -2;
+    for (std::size_t face = 0; face < tiles.size(); ++face) {
+        const int material = face < scene.faceMaterial.size() ? scene.faceMaterial[face] : -1;
+        const auto [found, isNew] = materials.try_emplace(tiles[face], material);
+        if (!isNew && found->second != material)
+            found->second = several;
+    }
+    std::erase_if(materials, [](const auto &tile) { return tile.first == 0 || tile.second < 0; });
+    return materials;
 }
 
 MapFigures measured(const MeshData &mesh, const UvMatrix &uv, const std::vector<IslandFlags> &faceFlags,
@@ -349,7 +369,11 @@ void MapController::packEach(SceneKind kind)
     if (!document)
         return;
     const QList<int> faces = document->selection().faces;
-    startPacking({faces.isEmpty(), faces, {}, sceneGroups(document->state().scene, kind)});
+    startPacking({faces.isEmpty(),
+                  faces,
+                  {},
+                  kind == SceneKind::Tags ? tagGroups(document->marks(), document->mesh().faceCount())
+                                          : sceneGroups(document->state().scene, kind)});
 }
 
 void MapController::packAtDensity(double density)
@@ -543,8 +567,11 @@ void MapController::measure()
         [mesh, uv = document->uv(), model = std::move(model), packing](JobControl &control) {
             // Objects that share a mesh have one map in the file, and lie on each other there on purpose.
             const Scene file = asWritten(model.scene, model.scene.format);
-            return measured(*mesh, file.hasUv() ? file.uvSets.front().uv : uv,
-                            withInstanceStacks(file, model.marks.faceFlags), packing, control);
+            const UvMatrix &map = file.hasUv() ? file.uvSets.front().uv : uv;
+            MapFigures figures =
+                measured(*mesh, map, withInstanceStacks(file, model.marks.faceFlags), packing, control);
+            figures.tileMaterial = materialsOfTiles(model.scene, *mesh, map, packing.tileHeight());
+            return figures;
         },
         [this, token = document->token(), figureChanges = mFigureChanges](MapFigures figures) {
             mFigures = std::move(figures);

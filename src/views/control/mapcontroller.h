@@ -17,6 +17,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <map>
 #include <optional>
 
 namespace autocuts {
@@ -40,6 +41,8 @@ struct MapFigures
     int textureSize = 0, textureHeight = 0;
     int figureChanges = 0; //!< how often stacks and texel weights had changed before
     metrics::UvMetrics metrics;
+    //! The tiles in use whose islands have one material, with its number; empty where there is one tile only.
+    std::map<int, int> tileMaterial;
     std::vector<int> overlapping;                 //!< triangles that overlap another one, ascending
     std::vector<std::array<int, 2>> overlapPairs; //!< pairs of triangles, the largest overlap first
 };

@@ -274,6 +274,15 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
                          "some joins and finish again");
     else
         result.message = JobTexts::tr("Finished: distortion %1").arg(made.distortion, 0, 'f', 4);
+    if (!result.message.isEmpty() && made.madeSmaller)
+        result.problem =
+            JobTexts::tr("%1. There is no room for the islands at their scale: all of a tile are smaller now")
+                .arg(result.message);
+    else if (!result.message.isEmpty() && made.notReplaced > 0)
+        result.message = JobTexts::tr("%1. Islands that stay as they were, because there is no room for "
+                                      "better ones: %2")
+                             .arg(result.message)
+                             .arg(made.notReplaced);
     sayStraight(control.stop(), made.straight, result);
     return result;
 }

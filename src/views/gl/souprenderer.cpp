@@ -117,6 +117,7 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     if (physical)
         drawing.environment->use(p, environmentUnit, drawing.toEnvironment, drawing.exposure);
     p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
+    p.setUniformValue("selectionShare", static_cast<float>(drawing.selectionShare));
     p.setUniformValue("tint", static_cast<float>(drawing.tint));
     p.setUniformValue("fillOpacity", static_cast<float>(drawing.fillOpacity));
     p.setUniformValue("lineOpacity", static_cast<float>(drawing.lineOpacity));

@@ -34,6 +34,7 @@ struct SoupDrawing
     EnvironmentTexture *environment = nullptr; //!< texture sets are shown in its light; null: without light
     QMatrix4x4 toEnvironment;                  //!< turns directions from eye space
     double exposure = 0;                       //!< in stops
+    double selectionShare = 0.6;               //!< of its colour over that of a selected face
     double tint = 0;                           //!< share of the faces' colours over the texture
     double fillOpacity = 1;                    //!< opacity of the faces
     double lineOpacity = 1;                    //!< opacity of all lines along sides

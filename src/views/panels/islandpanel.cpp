@@ -90,7 +90,8 @@ void IslandPanel::makeTable()
     header->setMinimumSectionSize(20);
     header->setStretchLastSection(true);
     const std::array<QLatin1StringView, IslandTable::ColumnCount> widest{
-        "MM000000"_L1, "MM"_L1, "00000"_L1, "00.0 %_"_L1, "0000.0_"_L1, "00.000"_L1, "000_"_L1, "000_"_L1};
+        "MM000000"_L1, "MM"_L1,     "00000"_L1, "00.0 %_"_L1, "0000.0_"_L1,
+        "0000.0_"_L1,  "00.000"_L1, "000_"_L1,  "000_"_L1};
     for (int column = 0; column < IslandTable::ColumnCount; ++column) {
         const QString title = mTable->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         const int titleWidth = title.isEmpty() ? 0 : header->fontMetrics().horizontalAdvance(title + u"__"_s);
@@ -102,7 +103,7 @@ void IslandPanel::makeTable()
 
 void IslandPanel::hideEmptyColumns()
 {
-    for (const int column : {IslandTable::Stack, IslandTable::Group})
+    for (const int column : {IslandTable::Shown, IslandTable::Stack, IslandTable::Group})
         mView->setColumnHidden(column, !mTable->hasTexts(column));
 }
 

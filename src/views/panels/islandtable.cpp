@@ -67,6 +67,8 @@ QString IslandTable::text(const IslandFigures &figures, int island, int column) 
         return percentText(figures.areaShare);
     case Density:
         return significantText(figures.texelDensity, 4);
+    case Shown:
+        return std::isfinite(figures.shownDensity) ? significantText(figures.shownDensity, 4) : QString();
     case Distortion:
         return fixedText(figures.distortion, 3);
     case Stack:
@@ -87,6 +89,8 @@ QVariant IslandTable::sortKey(const IslandFigures &figures, int island, int colu
         return figures.areaShare;
     case Density:
         return sortable(figures.texelDensity);
+    case Shown:
+        return sortable(figures.shownDensity);
     case Distortion:
         return sortable(figures.distortion);
     case Lock:
@@ -137,7 +141,9 @@ QVariant IslandTable::headerData(int section, Qt::Orientation orientation, int r
         {tr("Faces"), tr("Number of faces")},
         {tr("Area"), tr("Share of the model's surface")},
         {tr("px/unit"),
-         tr("Texel density: texels per unit of the model at the texture size of the Packing panel")},
+         tr("Texel density: texels per unit of the model at the texture size of the Packing panel, where the "
+            "painted texel density weight is 1")},
+        {tr("true"), tr("Texels per unit of the model that the island has, with its painted weights")},
         {tr("D"),
          tr("Mean distortion of the island, whatever its size: symmetric Dirichlet energy, 4 where nothing "
             "is distorted")},

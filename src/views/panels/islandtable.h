@@ -13,7 +13,7 @@ class IslandTable final : public QAbstractTableModel
     Q_OBJECT
 
 public:
-    enum Column { Number, Lock, Faces, Area, Density, Distortion, Stack, Group, ColumnCount };
+    enum Column { Number, Lock, Faces, Area, Density, Shown, Distortion, Stack, Group, ColumnCount };
     static constexpr int sortRole = Qt::UserRole;
 
     explicit IslandTable(QObject *parent = nullptr) : QAbstractTableModel(parent) {}

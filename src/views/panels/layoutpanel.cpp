@@ -83,6 +83,15 @@ QDoubleSpinBox *LayoutPanel::makeNumber(QLatin1StringView name, void (LayoutPane
     return number;
 }
 
+QComboBox *LayoutPanel::makeChoice(const ToolOption &option, QLatin1StringView name)
+{
+    auto *box = new QComboBox;
+    box->setObjectName(name);
+    box->addItems(option.choices);
+    connect(box, &QComboBox::activated, this, option.set);
+    return box;
+}
+
 QWidget *LayoutPanel::makeNumbers()
 {
     mPosition[0] = makeNumber("positionU"_L1, &LayoutPanel::moveToU);
@@ -93,10 +102,8 @@ QWidget *LayoutPanel::makeNumbers()
     mTurn->setRange(-360, 360);
     mTurn->setDecimals(2);
     mTurn->setSuffix(u"\u00b0"_s);
-    mUnit = new QComboBox;
-    mUnit->setObjectName("unit"_L1);
-    mUnit->addItems({tr("UV units"), tr("Texels")});
-    connect(mUnit, &QComboBox::activated, this, [this] { refreshSoon(); });
+    const ToolOption unit = unitChoice(context().view);
+    mUnit = makeChoice(unit, "unit"_L1);
     mProportions = new QCheckBox(tr("Keep proportions"));
     mProportions->setObjectName("proportions"_L1);
     mProportions->setChecked(true);
@@ -123,7 +130,7 @@ QWidget *LayoutPanel::makeNumbers()
     add(1, 0, tr("Width"), mSize[0], size);
     add(1, 2, tr("Height"), mSize[1], size);
     add(2, 0, tr("Turn by"), mTurn, tr("Degrees, counter-clockwise, about the pivot"));
-    add(2, 2, tr("In"), mUnit, tr("Texels are those of the texture size of the Packing panel"));
+    add(2, 2, unit.name, mUnit, unit.tip);
     grid->addWidget(mProportions, 3, 1, 1, 3);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
@@ -132,13 +139,6 @@ QWidget *LayoutPanel::makeNumbers()
 
 QWidget *LayoutPanel::makePivotRows()
 {
-    const auto makeChoice = [this](const ToolOption &option, QLatin1StringView name) {
-        auto *box = new QComboBox;
-        box->setObjectName(name);
-        box->addItems(option.choices);
-        connect(box, &QComboBox::activated, this, option.set);
-        return box;
-    };
     const ToolOption pivot = pivotChoice(context().view), snap = snapChoice(context().view);
     mPivot = makeChoice(pivot, "pivot"_L1);
     mSnap = makeChoice(snap, "snap"_L1);
@@ -203,10 +203,7 @@ Vec2 LayoutPanel::unit() const
 {
     if (!document())
         return Vec2::Ones();
-    const PackingSettings &packing = document()->packingSettings();
-    // UV units are those of the model's file, in which a tile is 1 high.
-    return mUnit->currentIndex() == 1 ? Vec2(Vec2::Constant(packing.textureSize))
-                                      : Vec2(1, 1 / packing.tileHeight());
+    return unitsPerLength(context().view.tools().unit, document()->packingSettings());
 }
 
 Vec2 LayoutPanel::reference(const MovableIslands &islands) const
@@ -271,7 +268,8 @@ void LayoutPanel::refresh()
     const ToolSettings &tools = context().view.tools();
     mPivot->setCurrentIndex(int(tools.pivot));
     mSnap->setCurrentIndex(int(tools.snap));
-    const bool texels = mUnit->currentIndex() == 1;
+    mUnit->setCurrentIndex(int(tools.unit));
+    const bool texels = tools.unit == LengthUnit::Texels;
     for (QDoubleSpinBox *field : {mPosition[0], mPosition[1], mSize[0], mSize[1], mCursor[0], mCursor[1]}) {
         field->setDecimals(texels ? 2 : 5);
         field->setSingleStep(texels ? 1 : 0.01);

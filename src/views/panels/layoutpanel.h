@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands/islandtransform.h"
+#include "views/canvas/tooloption.h"
 #include "views/panels/panel.h"
 #include "views/selecting/movableislands.h"
 
@@ -31,6 +32,7 @@ private:
     QWidget *makeNumbers();
     QWidget *makePivotRows();
     QWidget *makeActions();
+    QComboBox *makeChoice(const ToolOption &option, QLatin1StringView name);
     QDoubleSpinBox *makeNumber(QLatin1StringView name, void (LayoutPanel::*changed)(double));
     void addActions(QGridLayout *grid, int row, std::initializer_list<const char *> ids);
     void moveToU(double value) { moveTo(0, value); }

@@ -68,7 +68,8 @@ MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Faces overlap."), "uv.separate");
     if (m.symDirichlet > bound) {
         if (distortionOfShapes(document, m) > bound)
-            return outcome(QT_TRANSLATE_NOOP("MapOutcome", "More stretch than allowed."), "uv.unwrap");
+            return outcome(QT_TRANSLATE_NOOP("MapOutcome", "More stretch than allowed."),
+                           "uv.finish"); // keeps the work of the hand
         if (m.tiles.size() < 2 && !document.packingSettings().keepScale)
             return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Texel densities differ."), "uv.density");
     }

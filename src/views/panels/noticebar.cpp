@@ -4,6 +4,7 @@
 #include "views/control/workspace.h"
 #include "views/ui/icons.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -39,7 +40,27 @@ NoticeBar::NoticeBar(Workspace &workspace, QWidget *parent)
     connect(mSelect, &QToolButton::clicked, this, &NoticeBar::selectItems);
     connect(mClose, &QToolButton::clicked, this, [this] { showNotice({}); });
     connect(&workspace, &Workspace::documentReplaced, this, [this] { showNotice({}); });
+    setAutoFillBackground(true);
+    if (parent)
+        parent->installEventFilter(this);
     hide();
+}
+
+//! Lies over the top of what it belongs to, which keeps its place and size.
+void NoticeBar::place()
+{
+    if (!parentWidget() || isHidden())
+        return;
+    const int width = parentWidget()->width();
+    setGeometry(0, 0, width, hasHeightForWidth() ? heightForWidth(width) : sizeHint().height());
+    raise();
+}
+
+bool NoticeBar::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize)
+        place();
+    return QFrame::eventFilter(watched, event);
 }
 
 void NoticeBar::showNotice(const QString &message, const Selection &items)
@@ -48,6 +69,7 @@ void NoticeBar::showNotice(const QString &message, const Selection &items)
     mItems = items;
     mSelect->setVisible(!items.isEmpty());
     setVisible(!message.isEmpty());
+    place();
 }
 
 QString NoticeBar::message() const

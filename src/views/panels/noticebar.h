@@ -12,8 +12,9 @@ namespace autocuts {
 
 class Workspace;
 
-//! A bar above the views for what a job could not do. It stays until the user closes it, the next job ends or
-//! another model is opened. A click selects the items that the message is about.
+//! A bar over the top of the views for what a job could not do. The views keep their places below it. It
+//! stays until the user closes it, the next job ends or another model is opened. A click selects the items
+//! that the message is about.
 class NoticeBar final : public QFrame
 {
     Q_OBJECT
@@ -26,8 +27,12 @@ public:
     void showNotice(const QString &message, const Selection &items = {});
     QString message() const;
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     void selectItems();
+    void place();
 
     Workspace &mWorkspace;
     QLabel *mText;

@@ -133,13 +133,12 @@ void MainWindow::makeViews()
     addViewButtons(*mMeshView, *mUvView, mActions);
     mSplitter->setSizes({1000, 1000});
     mSplitter->setChildrenCollapsible(false);
-    mNotice = new NoticeBar(mWorkspace);
     auto *centre = new QWidget;
     auto *column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(mNotice);
-    column->addWidget(mSplitter, 1);
+    column->addWidget(mSplitter);
+    mNotice = new NoticeBar(mWorkspace, centre);
     setCentralWidget(centre);
     // What gives the focus back to the middle gives it to the view that had it last.
     centre->setFocusProxy(mUvView);
@@ -264,7 +263,7 @@ void MainWindow::makeMenus()
     addActions(QList<QAction *>(mActions.actions().begin(), mActions.actions().end()));
     connect(&mStudioActions->view(), &ViewActions::togglePanels, mPanels, &PanelDocks::toggle);
     connect(&mStudioActions->view(), &ViewActions::resetPanels, this,
-            [this] { restoreState(mDefaultState); });
+            [this] { restoreState(mDefaults[mNarrow]); });
     connect(mActions.action("view.fullScreen"), &QAction::toggled, this,
             [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
 }
@@ -360,33 +359,73 @@ void MainWindow::arrangeFor(const QSize &space)
 {
     // The panels need less room since they are tabs.
     layout()->activate();
+    if (mDefaults[0].isEmpty())
+        mDefaults[0] = saveState();
     // As large as the screen allows, with room for the frame of the window.
     resize(QSize(1680, 960).boundedTo(0.94 * space));
-    const auto dock = [this](const char *name) { return findChild<QDockWidget *>(QLatin1String(name)); };
-    // On small screens the views get the larger part, too: the panels of the left are closed, and opened they
-    // are tabs on the right.
-    if (width() < leastForBothSides) {
-        for (QDockWidget *left : mDocks) {
-            if (dockWidgetArea(left) != Qt::LeftDockWidgetArea)
-                continue;
-            tabifyDockWidget(dock("overlaps"), left);
-            left->hide();
-        }
-        dock("islands")->raise();
+    mNarrow = width() < leastForBothSides;
+    if (mNarrow)
+        foldLeftPanels();
+    sizePanels();
+    mDefaults[mNarrow] = saveState();
+    mPanels->setVersion(mNarrow);
+}
+
+//! In narrow windows the views get the larger part, too: the panels of the left are closed, and opened they
+//! are tabs on the right.
+void MainWindow::foldLeftPanels()
+{
+    for (QDockWidget *left : mDocks) {
+        if (dockWidgetArea(left) != Qt::LeftDockWidgetArea)
+            continue;
+        tabifyDockWidget(dock("overlaps"), left);
+        left->hide();
     }
+    dock("islands")->raise();
+}
+
+QDockWidget *MainWindow::dock(const char *name) const
+{
+    return findChild<QDockWidget *>(QLatin1String(name));
+}
+
+void MainWindow::sizePanels()
+{
     resizeDocks({dock("view"), dock("solver")},
                 {std::min(290, width() * 22 / 100), std::min(370, width() * 40 / 100)}, Qt::Horizontal);
     // What the Unwrap panel needs while its advanced part is folded; the panels below get the rest.
     const int unwrapHeight = std::min(490, height() * 65 / 100);
     resizeDocks({dock("solver"), dock("islands")}, {unwrapHeight, height() - unwrapHeight}, Qt::Vertical);
-    mDefaultState = saveState();
+}
+
+//! Arranges the panels for the width that the window has now. Narrow and wide windows have an arrangement
+//! each.
+void MainWindow::fitPanels()
+{
+    const bool narrow = width() < leastForBothSides;
+    if (!mPanels || mDefaults[0].isEmpty() || narrow == mNarrow || !mPanels->isAnyShown())
+        return;
+    mStates[mNarrow] = saveState();
+    mNarrow = narrow;
+    mPanels->setVersion(narrow);
+    if (!mStates[narrow].isEmpty()) {
+        restoreState(mStates[narrow]);
+        return;
+    }
+    if (!mDefaults[narrow].isEmpty())
+        restoreState(mDefaults[narrow]);
+    else
+        foldLeftPanels();
+    sizePanels();
+    mDefaults[narrow] = saveState();
 }
 
 void MainWindow::restoreLayout()
 {
     arrangeFor(screen()->availableSize());
     restoreGeometry(mPreferences.windowGeometry());
-    restoreState(mPreferences.windowState());
+    fitPanels();
+    restoreState(mPreferences.windowState(), mNarrow); // the screen may have been another one
 }
 
 void MainWindow::showTitle()
@@ -492,6 +531,12 @@ bool MainWindow::takesKey(const QKeyEvent &key)
     // Outside of the views Tab goes on to the next field.
     if (key.key() == Qt::Key_Tab && !qobject_cast<const Canvas *>(focusWidget()))
         return true;
+    // Keys of the tool work wherever the focus is, as those of actions do; the view gets the focus back.
+    if (const AbstractTool *tool = mTools.tool(); tool && mWorkspace.document() && tool->wantsKey(key) &&
+                                                  !qobject_cast<const Canvas *>(focusWidget())) {
+        centralWidget()->setFocus();
+        return true;
+    }
     const QAction *action = mActions.disabledActionOf(QKeySequence(key.keyCombination()));
     if (action && !key.isAutoRepeat())
         mStatusBar->showText(actionTitle(mActions.info(action)) + QStringLiteral(": ") +
@@ -514,6 +559,7 @@ void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
     arrangeToolBars();
+    fitPanels();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event)

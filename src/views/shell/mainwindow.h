@@ -69,6 +69,10 @@ private:
     void arrangeToolBars();
     void connectMessages();
     void restoreLayout();
+    QDockWidget *dock(const char *name) const;
+    void foldLeftPanels();
+    void sizePanels();
+    void fitPanels();
     void showTitle();
     void showOpened();
     void showFoundTextures();
@@ -106,7 +110,10 @@ private:
     bool mSolverRan = false;               //!< at its last change of state
     bool mAwaitsMap = false;               //!< the model was opened without a map and has none yet
     std::unique_ptr<MenuBuilder> mMenus;
-    QByteArray mDefaultState; //!< initial arrangement of the panels
+    bool mNarrow = false; //!< the panels are arranged for a narrow window
+    //! The arrangements of panels in wide and in narrow windows: initially, and as the user left them last.
+    //! Empty: not made yet.
+    QByteArray mDefaults[2], mStates[2];
 };
 
 } // namespace autocuts

@@ -45,17 +45,17 @@ bool PanelDocks::isAnyShown() const
 void PanelDocks::toggle()
 {
     if (!isAnyShown()) {
-        mWindow.restoreState(std::exchange(mBefore, {}));
+        mWindow.restoreState(std::exchange(mBefore, {}), mVersion);
         return;
     }
-    mBefore = mWindow.saveState();
+    mBefore = mWindow.saveState(mVersion);
     for (QDockWidget *dock : mDocks)
         dock->hide();
 }
 
 QByteArray PanelDocks::arrangement() const
 {
-    return isAnyShown() || mBefore.isEmpty() ? mWindow.saveState() : mBefore;
+    return isAnyShown() || mBefore.isEmpty() ? mWindow.saveState(mVersion) : mBefore;
 }
 
 void PanelDocks::showTitles()

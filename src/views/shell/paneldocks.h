@@ -25,13 +25,16 @@ public:
     void toggle();
     //! The arrangement for the next start: while all are hidden, the one before.
     QByteArray arrangement() const;
+    //! The version of QMainWindow::saveState() for arrangements from now on.
+    void setVersion(int version) { mVersion = version; }
+    bool isAnyShown() const;
 
 private:
-    bool isAnyShown() const;
     void showTitles();
 
     QMainWindow &mWindow;
     const QList<QDockWidget *> mDocks;
+    int mVersion = 0;
     QByteArray mBefore; //!< the arrangement before all were hidden; empty: they were not
     QTimer mTitlesSoon; //!< Qt makes tabs only after it has said that a dock moved
 };

@@ -16,11 +16,18 @@ enum class Pivot {
 //! What a move snaps to while no key asks for something else.
 enum class SnapTo { Nothing, Islands, Grid, Texels, Tiles };
 
+//! The unit of lengths that are typed and shown.
+enum class LengthUnit {
+    Uv,    //!< those of the model's file, in which a tile is 1 wide and high
+    Texels //!< of the texture
+};
+
 struct ToolSettings
 {
     Pivot pivot = Pivot::Centre;
     Vec2 cursor = Vec2::Constant(0.5); //!< the 2D cursor, texture space
     SnapTo snap = SnapTo::Nothing;
+    LengthUnit unit = LengthUnit::Texels;
 
     bool operator==(const ToolSettings &) const = default;
 };

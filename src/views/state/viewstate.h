@@ -23,6 +23,12 @@ enum class Coloring {
     TexelWeights,
     VertexColors
 };
+//! How much of the colour of the selection a selected face gets: little where colours show numbers.
+constexpr double selectionShare(Coloring coloring)
+{
+    return coloring == Coloring::Plain || coloring == Coloring::Islands ? 0.6 : 0.2;
+}
+
 //! The pattern on the model, by its UVs, and behind the map.
 //! Texture is the picture that the user chose, Materials are the base colours of all materials, Physical are
 //! their texture sets, under light in the 3D view, Baked is a bake that follows

@@ -70,8 +70,7 @@ std::optional<double> IslandDrag::typedNumber() const
 Vec2 IslandDrag::displacement() const
 {
     if (const auto value = typedNumber()) {
-        const double distance = *value / textureSize;
-        return axis == DragAxis::Y ? Vec2(0, distance) : Vec2(distance, 0);
+        return axis == DragAxis::Y ? Vec2(0, *value / unit.y()) : Vec2(*value / unit.x(), 0);
     }
     Vec2 move = mouseMove();
     if (snap == SnapTo::Islands)
@@ -156,8 +155,10 @@ QString IslandDrag::text() const
         return IslandTexts::tr("%1\u00b0").arg(number(angle(), 1)) + shown;
     if (edit == UvEdit::Scale)
         return IslandTexts::tr("\u00d7 %1").arg(number(factor(), 3)) + shown;
-    const Vec2 texels = displacement() * textureSize;
-    return IslandTexts::tr("%1, %2 texels").arg(number(texels.x(), 1), number(texels.y(), 1)) + shown;
+    const Vec2 length = displacement().cwiseProduct(unit);
+    if (inTexels)
+        return IslandTexts::tr("%1, %2 texels").arg(number(length.x(), 1), number(length.y(), 1)) + shown;
+    return IslandTexts::tr("%1, %2 UV units").arg(number(length.x(), 4), number(length.y(), 4)) + shown;
 }
 
 } // namespace autocuts

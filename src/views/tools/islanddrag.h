@@ -22,12 +22,13 @@ struct IslandDrag
     Eigen::AlignedBox2d box;   //!< of the islands at the start
     Vec2 pivot = Vec2::Zero(); //!< of the handles; the mouse turns and scales about it
     DragAxis axis = DragAxis::Both;
-    QString typed; //!< a number that replaces the mouse: texels, degrees or a factor
+    QString typed; //!< a number that replaces the mouse: a length, degrees or a factor
     SnapTo snap = SnapTo::Nothing;
     Vec2 snapStep = Vec2::Zero();    //!< for Move
     Vec2 islandShift = Vec2::Zero(); //!< for Move: added by snapping to other islands
     double pixel = 1;                //!< size of a pixel of the view at the start
-    int textureSize = 1;
+    Vec2 unit = Vec2::Ones();        //!< typed and shown lengths per length in texture space
+    bool inTexels = true;            //!< what these are
 
     //! Handles digits, point, minus, backspace, X and Y. \returns false for other keys
     bool takeKey(const QKeyEvent &event);

@@ -214,7 +214,9 @@ void IslandTool::begin(ToolCanvas &view, const QPointF &position, DragAxis axis)
     mDrag.start = mDrag.current = camera.toUv(position);
     mDrag.axis = axis;
     mDrag.pixel = 1 / camera.scale();
-    mDrag.textureSize = context().workspace.document()->packingSettings().textureSize;
+    const LengthUnit unit = context().view.tools().unit;
+    mDrag.unit = unitsPerLength(unit, context().workspace.document()->packingSettings());
+    mDrag.inTexels = unit == LengthUnit::Texels;
     const int gesture = ++mGesture;
     context().solver.whenPaused([self = QPointer(this), gesture] {
         if (self && self->mState == State::Waiting && self->mGesture == gesture)

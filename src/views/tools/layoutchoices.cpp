@@ -44,4 +44,24 @@ ToolOption snapChoice(ViewState &view)
         });
 }
 
+ToolOption unitChoice(ViewState &view)
+{
+    return ToolOption::choice(
+        LayoutChoices::tr("In"),
+        LayoutChoices::tr("Unit of lengths that are shown here and typed during a move; texels are those of "
+                          "the texture size of the Packing panel"),
+        int(view.tools().unit), {LayoutChoices::tr("UV units"), LayoutChoices::tr("Texels")},
+        [&view](double index) {
+            ToolSettings tools = view.tools();
+            tools.unit = LengthUnit(static_cast<int>(index));
+            view.setTools(tools);
+        });
+}
+
+Vec2 unitsPerLength(LengthUnit unit, const PackingSettings &packing)
+{
+    return unit == LengthUnit::Texels ? Vec2(Vec2::Constant(packing.textureSize))
+                                      : Vec2(1, 1 / packing.tileHeight());
+}
+
 } // namespace autocuts

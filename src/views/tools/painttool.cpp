@@ -56,7 +56,7 @@ QColor colorOf(Paint paint, const ViewColors &colors)
 } // namespace
 
 PaintTool::PaintTool(const StudioContext &context, QObject *parent)
-    : AbstractTool(context, QStringLiteral("paint"), parent)
+    : AbstractTool(context, QStringLiteral("paint"), parent), mColoring(context.view, Coloring::PaintWeights)
 {
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mGesture = 0;
@@ -74,23 +74,14 @@ QString PaintTool::hint() const
 
 void PaintTool::activate()
 {
-    ViewOptions options = context().view.options();
-    mColored = options.coloring == Coloring::Plain;
-    if (!mColored)
-        return;
-    options.coloring = Coloring::PaintWeights;
-    context().view.setOptions(options);
+    mColoring.show();
 }
 
 void PaintTool::deactivate()
 {
     cancel();
     leave();
-    ViewOptions options = context().view.options();
-    if (!mColored || options.coloring != Coloring::PaintWeights)
-        return;
-    options.coloring = Coloring::Plain;
-    context().view.setOptions(options);
+    mColoring.restore();
 }
 
 Paint PaintTool::paintFor(Qt::KeyboardModifiers modifiers) const

@@ -4,6 +4,7 @@
 #include "model/plain/types.h"
 #include "views/canvas/abstracttool.h"
 #include "views/tools/brush.h"
+#include "views/tools/toolcoloring.h"
 
 #include <QPointer>
 
@@ -66,7 +67,7 @@ private:
     std::vector<int> mMirror;     //!< of the edge pairs of the open model; made when needed
     QPointer<ToolCanvas> mCanvas; //!< the canvas under the mouse
     QPointF mMouse;
-    bool mColored = false; //!< this tool has changed the colouring
+    ToolColoring mColoring;
 
     // State of the stroke.
     quint64 mGesture = 0;

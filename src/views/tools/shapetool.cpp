@@ -20,6 +20,8 @@ namespace {
 
 //! Share of the way to the centre that a dab of the pinch at full strength goes. Chosen by hand.
 constexpr double pinchPerDab = 0.2;
+//! Milliseconds between two dabs of a brush that is held still. Chosen by hand.
+constexpr int stillInterval = 80;
 
 UvEdit editOf(ShapeBrush kind)
 {
@@ -42,6 +44,8 @@ ShapeTool::ShapeTool(const StudioContext &context, const QString &id, ShapeBrush
 {
     if (kind == ShapeBrush::Grab)
         mBrush.strength = 1; // what is in the middle follows the mouse
+    mStill.setInterval(stillInterval);
+    connect(&mStill, &QTimer::timeout, this, &ShapeTool::workOn);
     // A stroke is valid for one document and its active UV set, and while nothing else changes the map.
     connect(&context.workspace, &Workspace::documentReplaced, this, &ShapeTool::finish);
     connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
@@ -117,6 +121,17 @@ void ShapeTool::start()
         push();
     if (mMouse != mStart)
         strokeTo(mMouse, mCanvas->pick(mMouse));
+    if (mStroke != ShapeBrush::Grab && mState == State::Active)
+        mStill.start();
+}
+
+void ShapeTool::workOn()
+{
+    if (mState != State::Active || !mCanvas)
+        return;
+    const auto spot = mapSpotUnder(*mCanvas, mMouse, mCanvas->pick(mMouse), mBrush.radius);
+    if (spot && dab(*spot))
+        push();
 }
 
 void ShapeTool::move(const ToolEvent &event)
@@ -148,6 +163,7 @@ void ShapeTool::strokeTo(const QPointF &place, const PickResult &pick)
             if (const auto spot = mapSpotUnder(*mCanvas, middle, under, mBrush.radius))
                 changed = dab(*spot) || changed;
         }
+        mStill.start(); // the time counts from the last dab
     }
     if (changed)
         push();
@@ -190,6 +206,7 @@ void ShapeTool::release(const ToolEvent &event)
 
 void ShapeTool::finish()
 {
+    mStill.stop();
     mWork.reset();
     mState = State::Idle;
     Q_EMIT overlayChanged();

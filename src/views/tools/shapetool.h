@@ -7,6 +7,8 @@
 
 #include <QPointer>
 
+#include <QTimer>
+
 #include <memory>
 
 namespace autocuts {
@@ -58,6 +60,8 @@ private:
     void strokeTo(const QPointF &place, const PickResult &pick);
     bool dab(const MapSpot &spot);
     void push();
+    //! Works on under a mouse that is held still.
+    void workOn();
     //! Ends the stroke and keeps its result.
     void finish();
 
@@ -76,6 +80,7 @@ private:
     QPointF mStart;
     MapSpot mGrabbed;
     std::unique_ptr<BrushStroke> mWork; //!< set while Active
+    QTimer mStill;                      //!< runs while Active
 };
 
 } // namespace autocuts

@@ -20,7 +20,8 @@
 namespace autocuts {
 
 TexelTool::TexelTool(const StudioContext &context, QObject *parent)
-    : AbstractTool(context, QStringLiteral("texelWeight"), parent)
+    : AbstractTool(context, QStringLiteral("texelWeight"), parent),
+      mColoring(context.view, Coloring::TexelWeights)
 {
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mGesture = 0;
@@ -38,23 +39,14 @@ QString TexelTool::hint() const
 
 void TexelTool::activate()
 {
-    ViewOptions options = context().view.options();
-    mColored = options.coloring == Coloring::Plain;
-    if (!mColored)
-        return;
-    options.coloring = Coloring::TexelWeights;
-    context().view.setOptions(options);
+    mColoring.show();
 }
 
 void TexelTool::deactivate()
 {
     cancel();
     leave();
-    ViewOptions options = context().view.options();
-    if (!mColored || options.coloring != Coloring::TexelWeights)
-        return;
-    options.coloring = Coloring::Plain;
-    context().view.setOptions(options);
+    mColoring.restore();
 }
 
 double TexelTool::weightFor(Qt::KeyboardModifiers modifiers) const

@@ -3,6 +3,7 @@
 
 #include "views/canvas/abstracttool.h"
 #include "views/tools/brush.h"
+#include "views/tools/toolcoloring.h"
 
 #include <QPointer>
 
@@ -60,7 +61,7 @@ private:
     QPointF mMouse;
     bool mSymmetric = false;
     std::vector<int> mMirror; //!< of the faces of the open model; made when needed
-    bool mColored = false;    //!< this tool has changed the colouring
+    ToolColoring mColoring;
 
     // State of the stroke.
     quint64 mGesture = 0;
