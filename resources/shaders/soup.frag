@@ -3,6 +3,7 @@
 // side in pixels, so that lines are smooth, equally wide everywhere and need no geometry of their own.
 
 noperspective in vec3 barycentric;
+flat in int triangle;
 in vec3 eyePosition, eyeNormal;
 in vec2 texturePlace;
 out vec4 color;
@@ -12,13 +13,13 @@ uniform usamplerBuffer sideTexels; // per side: base style, opacity at both ends
 uniform usamplerBuffer islandTexels; // per triangle: number of its island, lowest byte first
 uniform usamplerBuffer setTexels; // per triangle: its set of pictures, counted from 1, lowest byte first
 uniform int onlySet; // all triangles have this set, counted from 1; 0: see setTexels
-uniform bool asMap, smoothShading;
+uniform bool smoothShading;
 uniform mat4 projectionMatrix;
 uniform float tint; // share of the face colour over a picture
 uniform float pictureHeight; // of the picture in texture space, where it is 1 wide
 uniform float pixelRatio, checkerSize, fillOpacity, lineOpacity;
 uniform bool onPicture; // in the map, a picture lies behind
-uniform int pattern; // 0 none, 1 checker, 2 picture, 3 texture sets under light
+uniform int pattern; // 0 none, 1 checker, 2 picture, 3 texture sets under light, not in the map
 uniform bool unlit;  // colours are shown as they are
 uniform ivec2 hoverTriangles, hoverSides;
 uniform uint hoverIsland;
@@ -29,6 +30,14 @@ uniform vec4 selectionColor, hoverColor, overlapColor, flippedColor;
 
 #include "picture.glsl"
 #include "physical.glsl"
+
+// Known when the shader is compiled: the map needs no light, which is most of the shader.
+#ifdef IN_MAP
+const bool asMap = true, inLight = false;
+#else
+const bool asMap = false;
+#define inLight (pattern == 3)
+#endif
 
 const uint selectedMark = 1u, overlapMark = 2u, flippedMark = 4u, withoutUvMark = 8u;
 const uint wireStyle = 1u, seamStyle = 3u, givenStyle = 7u;
@@ -46,7 +55,7 @@ float checker(vec2 place)
 
 int setOfTriangle()
 {
-    return onlySet > 0 ? onlySet : numberOf(texelFetch(setTexels, gl_PrimitiveID));
+    return onlySet > 0 ? onlySet : numberOf(texelFetch(setTexels, triangle));
 }
 
 // What the texture set says, or the colour of the face where there is none.
@@ -128,15 +137,15 @@ float stripes(vec2 direction, float period)
 
 vec4 marked(vec4 face, uint marks)
 {
-    bool hovered = gl_PrimitiveID >= hoverTriangles.x && gl_PrimitiveID < hoverTriangles.y;
+    bool hovered = triangle >= hoverTriangles.x && triangle < hoverTriangles.y;
     if (hoverIsland != 0u) {
-        uvec4 bytes = texelFetch(islandTexels, gl_PrimitiveID);
+        uvec4 bytes = texelFetch(islandTexels, triangle);
         hovered = (bytes.r | (bytes.g << 8) | (bytes.b << 16) | (bytes.a << 24)) == hoverIsland;
     }
     if ((marks & selectedMark) != 0u)
         face = vec4(mix(face.rgb, selectionColor.rgb, selectionShare), max(face.a, 0.5));
     // In light they would hide the textures, which often lie mirrored and one over another; the map shows them.
-    bool problems = pattern != 3;
+    bool problems = !inLight;
     if (problems && (marks & flippedMark) != 0u) {
         face = vec4(mix(face.rgb, flippedColor.rgb, 0.55), max(face.a, 0.6));
         face = mix(face, vec4(flippedColor.rgb, 1), stripes(vec2(0.7071, -0.7071), 7.0));
@@ -165,10 +174,10 @@ vec4 withRim(vec4 below, vec4 line, float halfWidth, float inside)
 
 void main()
 {
-    uvec4 face = texelFetch(faceTexels, gl_PrimitiveID);
+    uvec4 face = texelFetch(faceTexels, triangle);
     vec3 faceColor = vec3(face.rgb) / 255.0;
     vec4 result = vec4(0, 0, 0, fillOpacity);
-    if (pattern == 3) {
+    if (inLight) {
         result.rgb = physical(faceColor, face.a);
     } else {
         vec3 base = surface(faceColor, face.a);
@@ -182,14 +191,14 @@ void main()
     vec3 distances = max(barycentric, vec3(0)) * heights;
     for (int k = 0; k < 3; ++k) {
         int opposite = k == 0 ? 2 : k - 1;
-        int side = 3 * gl_PrimitiveID + k;
+        int side = 3 * triangle + k;
         uvec4 texel = texelFetch(sideTexels, side);
         float inside = distances[opposite];
         if (texel.r != 0u) {
             vec4 line = sideColors[texel.r];
             if (texel.r == wireStyle) // where triangles are a few pixels high, lines would cover all
                 line.a *= smoothstep(1.5 * pixelRatio, 9.0 * pixelRatio, heights[opposite]);
-            if (texel.r == wireStyle && pattern == 3) // textures in light are to be seen
+            if (texel.r == wireStyle && inLight) // textures in light are to be seen
                 line.a *= 0.3;
             if (texel.r == wireStyle && asMap && dot(result.rgb, vec3(0.3, 0.6, 0.1)) * result.a > 0.45)
                 line.rgb = vec3(0.1); // a pale line would not be seen on a bright face

@@ -1,5 +1,5 @@
 #version 330 core
-// Corners of the triangle soup, at their place in space or in the map.
+// Corners of the triangle soup, at their place in space or, with IN_MAP, in the map.
 
 layout(location = 0) in vec3 position; // in the frame of the mesh
 layout(location = 1) in vec3 normal;
@@ -9,22 +9,27 @@ layout(location = 3) in vec4 tangent;
 uniform bool hasTangents;
 
 uniform usamplerBuffer faceTexels; // per triangle: red, green, blue, marks
-uniform bool asMap;
 uniform mat4 viewMatrix, projectionMatrix;
 uniform vec2 mapScale, mapOffset;
 uniform ivec2 hoverTriangles;
 
 noperspective out vec3 barycentric; // linear on the screen: its gradient gives distances in pixels
+flat out int triangle;
 out vec3 eyePosition, eyeNormal;
 out vec2 texturePlace;
 out vec4 eyeTangent;
 
+#ifdef IN_MAP
+const bool asMap = true;
+#else
+const bool asMap = false;
+#endif
 const float noUv = 1e29; // corners without UV have more
 const uint hiddenMark = 16u, buriedMark = 32u;
 
 uint marksOfFace()
 {
-    return texelFetch(faceTexels, gl_VertexID / 3).a;
+    return texelFetch(faceTexels, triangle).a;
 }
 
 // In the map what is marked lies above what is not, so that it is seen where the map covers itself.
@@ -35,6 +40,7 @@ float height()
 
 void main()
 {
+    triangle = gl_VertexID / 3;
     int corner = gl_VertexID % 3;
     barycentric = vec3(corner == 0, corner == 1, corner == 2);
     texturePlace = uv.x < noUv ? uv : vec2(0);
@@ -42,7 +48,7 @@ void main()
     eyePosition = eye.xyz;
     eyeNormal = mat3(viewMatrix) * normal;
     eyeTangent = vec4(mat3(viewMatrix) * tangent.xyz, hasTangents ? tangent.w : 0.0);
-    bool hovered = gl_VertexID / 3 >= hoverTriangles.x && gl_VertexID / 3 < hoverTriangles.y;
+    bool hovered = triangle >= hoverTriangles.x && triangle < hoverTriangles.y;
     bool buried = asMap && !hovered && (marksOfFace() & buriedMark) != 0u;
     bool shown = (marksOfFace() & hiddenMark) == 0u && !buried;
     if (shown && !asMap)

@@ -13,6 +13,7 @@
 #include <QOpenGLPaintDevice>
 #include <QOpenGLVersionFunctionsFactory>
 #include <QPainter>
+#include <QScopedValueRollback>
 
 #include <cmath>
 #include <stdexcept>
@@ -41,21 +42,22 @@ Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWid
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(80, 80);
-    connect(&mContent, &SceneContent::changed, this, qOverload<>(&QWidget::update));
+    connect(&mContent, &SceneContent::changed, this, &Canvas::changePicture);
     connect(&mTexture, &TextureFile::changed, this, [this] {
         mTextureStale = true;
-        update();
+        changePicture();
     });
     connect(&context.pictures, &ModelPictures::changed, this, [this] {
         mTextureStale |= mPictured == Pattern::Materials || mPictured == Pattern::Physical;
-        update();
+        changePicture();
     });
     connect(&context.liveBake, &LiveBake::changed, this, [this] {
         mTextureStale |= mPictured == Pattern::Baked;
-        update();
+        changePicture();
     });
     connect(&tools, &ToolManager::overlayChanged, this, qOverload<>(&QWidget::update));
     connect(&tools, &ToolManager::toolChanged, this, &Canvas::updateCursor);
+    connect(&tools, &ToolManager::toolChanged, this, &Canvas::changePicture); // it may mark nothing
     connect(&tools, &ToolManager::hintChanged, this, [this] {
         if (mNavigation == Navigation::None)
             updateCursor(); // the cursor may show the state of the tool
@@ -86,7 +88,9 @@ void Canvas::initializeGL()
     try {
         if (!functions || !functions->initializeOpenGLFunctions())
             throw std::runtime_error(tr("The graphics driver does not offer OpenGL 3.3.").toStdString());
-        mGl = std::make_unique<GlResources>(*functions);
+        mGl = std::make_unique<GlResources>(*functions, kind() == Kind::Map);
+        if (kind() == Kind::Map)
+            mGl->gradual.warmUp(mGl->forMap(), mContent.colors());
     } catch (const std::exception &error) {
         mGlError = QString::fromStdString(error.what());
         return;
@@ -108,6 +112,12 @@ void Canvas::releaseGl()
     doneCurrent();
 }
 
+void Canvas::changePicture()
+{
+    ++mRevision;
+    update();
+}
+
 void Canvas::resizeGL(int, int)
 {
     viewResized();
@@ -121,6 +131,7 @@ void Canvas::choosePicture()
     mTextureStale |= options.pattern != mPictured || cells != mLetteredCells;
     mPictured = options.pattern;
     mLetteredCells = cells;
+    ++mRevision;
 }
 
 int Canvas::onlySet() const
@@ -189,10 +200,15 @@ void Canvas::upload()
     uploadForLight();
 }
 
+void Canvas::paintEvent(QPaintEvent *event)
+{
+    const QScopedValueRollback painting(mPainting, true);
+    ToolCanvas::paintEvent(event);
+}
+
 void Canvas::paintGL()
 {
     if (mGl) {
-        upload();
         GlFunctions &gl = mGl->gl;
         gl.glDisable(GL_BLEND);
         gl.glDisable(GL_DEPTH_TEST);
@@ -200,7 +216,11 @@ void Canvas::paintGL()
         gl.glDisable(GL_SCISSOR_TEST);
         gl.glDisable(GL_STENCIL_TEST);
         gl.glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-        drawScene(*mGl);
+        if (!mPainting || !showGradually(*mGl)) {
+            mGl->gradual.abandon(); // its buffers change
+            upload();
+            drawScene(*mGl);
+        }
         gl.glDisable(GL_BLEND);
         gl.glDisable(GL_DEPTH_TEST);
     }

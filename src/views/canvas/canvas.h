@@ -51,7 +51,15 @@ protected:
 
     //! Draws everything except the overlay. The buffers are up to date, and the view has not been cleared.
     virtual void drawScene(GlResources &gl) = 0;
+    //! Shows everything except the overlay of what is drawn a little at a time; false: this view does not.
+    virtual bool showGradually(GlResources &) { return false; }
     virtual void drawOverlay(QPainter &painter) = 0;
+    //! Fills the buffers with what has changed.
+    void upload();
+    //! Grows with every change of what drawScene() draws but that of the camera.
+    quint64 revision() const { return mRevision; }
+    //! Null when there is nothing to draw with.
+    GlResources *resources() { return mGl.get(); }
     //! \param pixels distance that the mouse moved
     virtual void navigate(Navigation navigation, const QPointF &pixels, const QPointF &start) = 0;
     virtual void zoomAt(double factor, const QPointF &pixel) = 0;
@@ -74,6 +82,7 @@ protected:
     HoverParts hoverParts() const;
 
     void initializeGL() override;
+    void paintEvent(QPaintEvent *event) override;
     void paintGL() override;
     void resizeGL(int width, int height) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -89,7 +98,7 @@ protected:
 
 private:
     void releaseGl();
-    void upload();
+    void changePicture();
     void choosePicture();
     void uploadPictures();
     void uploadForLight();
@@ -99,6 +108,8 @@ private:
     ToolEvent toolEvent(const QMouseEvent &event, bool withPick);
 
     ToolManager &mTools;
+    quint64 mRevision = 1;
+    bool mPainting = false; //!< for the window, not for a picture
     SceneContent mContent;
     TextureFile mTexture;
     bool mTextureStale = true, mTangentsStale = true;

@@ -24,6 +24,10 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
+//! Milliseconds that the picture may take within a paint event, and in one turn of the event loop. Chosen by
+//! hand.
+constexpr int timeOfPaint = 8, timeOfPieces = 16;
+
 //! True when a hidden face has UVs.
 bool hidesUvs(const Document &document)
 {
@@ -42,6 +46,8 @@ UvView::UvView(const StudioContext &context, ToolManager &tools, QWidget *parent
     : Canvas(Kind::Map, context, tools, parent)
 {
     setObjectName(u"uvView"_s);
+    mDrawSoon.setSingleShot(true);
+    connect(&mDrawSoon, &QTimer::timeout, this, &UvView::drawOn);
     connect(&context.shownMap, &ShownMap::changed, this, [this] {
         if (studio().view.options().followMap && studio().shownMap.isLive())
             frameAll();
@@ -136,7 +142,7 @@ void UvView::restoreViewState(const QCborMap &state)
     update();
 }
 
-void UvView::drawPaper(GlResources &gl)
+PaperDrawing UvView::paper(GlResources &gl) const
 {
     const ViewOptions &options = studio().view.options();
     const PackingSettings texture = packing();
@@ -155,17 +161,26 @@ void UvView::drawPaper(GlResources &gl)
     const Vec2 used =
         studio().shownMap.isLive() ? Vec2(Vec2::Ones()) : usedTiles(content().uvBox(), texture.tileHeight());
     paper.usedTiles = {static_cast<float>(used.x()), static_cast<float>(used.y())};
-    gl.backdrop.draw(paper, content().colors());
+    return paper;
 }
 
-void UvView::drawScene(GlResources &gl)
+//! \pre the buffers are up to date
+MapScene UvView::scene(GlResources &gl) const
 {
     const ViewOptions &options = studio().view.options();
-    drawPaper(gl);
+    MapScene scene;
+    scene.paper = paper(gl);
+    scene.colors = content().colors();
+    scene.camera = mCamera;
+    scene.pixelRatio = devicePixelRatioF();
+    scene.revision = revision();
+    scene.uvs = content().uvs();
+    scene.ghostUvs = content().ghostUvs();
+    scene.faces = content().faces();
+    scene.pointCount = static_cast<int>(content().points().size());
     if (!content().mesh())
-        return;
+        return scene;
     SoupDrawing drawing;
-    drawing.asMap = true;
     const Vec2 scale(2 * mCamera.scale() / width(), 2 * mCamera.scale() / height());
     const Vec2 offset = -scale.cwiseProduct(mCamera.centre());
     drawing.mapScale = {static_cast<float>(scale.x()), static_cast<float>(scale.y())};
@@ -188,26 +203,53 @@ void UvView::drawScene(GlResources &gl)
     drawing.hoverTriangles = hover.triangles;
     drawing.hoverSides = hover.sides;
     drawing.hoverIsland = hover.island;
-    gl.gl.glEnable(GL_BLEND);
-    gl.gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (!content().ghostUvs().empty()) {
-        SoupDrawing ghost = drawing;
-        ghost.ghost = true;
-        ghost.fillOpacity = 0.5 * drawing.fillOpacity;
-        ghost.lineOpacity = 0;
-        gl.soup.draw(ghost, content().colors());
+        scene.ghost = drawing;
+        scene.ghost->ghost = true;
+        scene.ghost->fillOpacity = 0.5 * drawing.fillOpacity;
+        scene.ghost->lineOpacity = 0;
         drawing.fillOpacity *= 0.7;
     }
-    gl.gl.glEnable(GL_DEPTH_TEST);
-    gl.gl.glDepthFunc(GL_LEQUAL);
-    gl.soup.draw(drawing, content().colors());
-    gl.gl.glDisable(GL_DEPTH_TEST);
-    PointDrawing points;
-    points.asMap = true;
-    points.mapScale = drawing.mapScale;
-    points.mapOffset = drawing.mapOffset;
-    points.size = 8 * devicePixelRatioF();
-    gl.points.draw(points);
+    scene.map = drawing;
+    scene.points.asMap = true;
+    scene.points.mapScale = drawing.mapScale;
+    scene.points.mapOffset = drawing.mapOffset;
+    scene.points.size = 8 * devicePixelRatioF();
+    return scene;
+}
+
+void UvView::drawScene(GlResources &gl)
+{
+    autocuts::drawScene(gl.forMap(), scene(gl));
+}
+
+bool UvView::showGradually(GlResources &gl)
+{
+    const QSize pixels = size() * devicePixelRatioF();
+    GradualPicture &picture = gl.gradual;
+    if (!picture.isBusy() && !picture.has(scene(gl), pixels)) {
+        upload();
+        picture.begin(scene(gl), pixels);
+        picture.goOn(gl.forMap(), timeOfPaint);
+    }
+    picture.show(gl.forMap(), defaultFramebufferObject(), mCamera);
+    if (picture.isBusy())
+        mDrawSoon.start();
+    return true;
+}
+
+void UvView::drawOn()
+{
+    GlResources *gl = resources();
+    if (!gl || !gl->gradual.isBusy())
+        return;
+    makeCurrent();
+    gl->gradual.goOn(gl->forMap(), timeOfPieces);
+    doneCurrent();
+    if (gl->gradual.isBusy())
+        mDrawSoon.start();
+    else
+        update();
 }
 
 void UvView::drawOverlay(QPainter &painter)

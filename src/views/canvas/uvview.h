@@ -5,7 +5,12 @@
 #include "views/canvas/canvas.h"
 #include "views/canvas/mapcamera.h"
 
+#include <QTimer>
+
 namespace autocuts {
+
+struct MapScene;
+struct PaperDrawing;
 
 //! Shows the map in texture space, with v pointing up.
 class UvView final : public Canvas
@@ -30,6 +35,7 @@ public:
 
 protected:
     void drawScene(GlResources &gl) override;
+    bool showGradually(GlResources &gl) override;
     void drawOverlay(QPainter &painter) override;
     void navigate(Navigation navigation, const QPointF &pixels, const QPointF &start) override;
     void zoomAt(double factor, const QPointF &pixel) override;
@@ -39,12 +45,15 @@ protected:
 private:
     //! The texture of the document, or of new sessions.
     PackingSettings packing() const;
-    void drawPaper(GlResources &gl);
+    PaperDrawing paper(GlResources &gl) const;
+    MapScene scene(GlResources &gl) const;
+    void drawOn();
     std::vector<std::pair<int, QColor>> tilesInUse() const;
     //! What the rulers cover.
     QMarginsF covered() const;
 
     MapCamera mCamera;
+    QTimer mDrawSoon;       //!< goes on with the picture
     bool mFramesAll = true; //!< shows everything, also when its size changes, until the camera is moved
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace autocuts {
 
@@ -20,13 +22,24 @@ double doubleArea(const Corners &p)
     return a.x() * b.y() - a.y() * b.x();
 }
 
-bool isInside(const Corners &p, double orientation, const Vec2 &place)
+//! The part of a row, at height y, that lies inside a triangle; empty: low above high.
+struct Reach
 {
+    double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+};
+
+Reach reachAt(const Corners &p, double y)
+{
+    Reach reach;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (orientation * doubleArea({p[k], p[(k + 1) % 3], place}) < 0)
-            return false;
+        const Vec2 &a = p[k], &b = p[(k + 1) % 3];
+        if (std::min(a.y(), b.y()) > y || std::max(a.y(), b.y()) < y || a.y() == b.y())
+            continue;
+        const double x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+        reach.low = std::min(reach.low, x);
+        reach.high = std::max(reach.high, x);
     }
-    return true;
+    return reach;
 }
 
 //! Counts layers at the middles of the cells of a grid.
@@ -34,47 +47,63 @@ class LayerGrid
 {
 public:
     explicit LayerGrid(const Eigen::AlignedBox2d &box)
-        : mOrigin(box.min()), mCell(box.sizes() / cellsPerSide), mLayers(cellsPerSide * cellsPerSide, 0)
-    {}
+        : mOrigin(box.min()), mCell(box.sizes() / cellsPerSide), mLayers(rowLength * cellsPerSide, 0),
+          mNextOpen(mLayers.size())
+    {
+        for (std::size_t i = 0; i < mNextOpen.size(); ++i)
+            mNextOpen[i] = static_cast<int>(i % rowLength);
+    }
 
     //! Puts a triangle below those before. \returns false when nothing of it is seen
     bool add(const Corners &p)
     {
-        const double orientation = doubleArea(p);
-        const auto [firstColumn, lastColumn] = range(p, 0);
-        const auto [firstRow, lastRow] = range(p, 1);
-        mUnder.clear();
-        bool seen = false;
-        for (int row = firstRow; row <= lastRow; ++row) {
-            for (int column = firstColumn; column <= lastColumn; ++column) {
-                const int cell = row * cellsPerSide + column;
-                const Vec2 middle = mOrigin + mCell.cwiseProduct(Vec2(column + 0.5, row + 0.5));
-                if (!isInside(p, orientation, middle))
-                    continue;
-                mUnder.push_back(cell);
-                seen = seen || mLayers[cell] < drawnLayers;
+        const auto [low, high] = std::minmax({p[0].y(), p[1].y(), p[2].y()});
+        bool seen = false, sampled = false;
+        for (int row = rowOf(low); row <= rowOf(high); ++row) {
+            const Reach reach = reachAt(p, mOrigin.y() + (row + 0.5) * mCell.y());
+            if (!(reach.low <= reach.high))
+                continue;
+            // The cells whose middles are inside.
+            const int first =
+                static_cast<int>(std::max(0.0, std::ceil((reach.low - mOrigin.x()) / mCell.x() - 0.5)));
+            const int last = static_cast<int>(
+                std::min(cellsPerSide - 1.0, std::floor((reach.high - mOrigin.x()) / mCell.x() - 0.5)));
+            sampled = sampled || first <= last;
+            for (int column = openFrom(row, first); column <= last; column = openFrom(row, column + 1)) {
+                seen = true;
+                if (++mLayers[cell(row, column)] == drawnLayers)
+                    mNextOpen[cell(row, column)] = column + 1;
             }
         }
-        if (mUnder.empty())
-            return true;
-        for (const int cell : mUnder)
-            mLayers[cell] = static_cast<quint8>(std::min(mLayers[cell] + 1, drawnLayers));
-        return seen;
+        return seen || !sampled;
     }
 
 private:
-    std::pair<int, int> range(const Corners &p, int axis) const
+    static constexpr int rowLength = cellsPerSide + 1; // with an end
+
+    static std::size_t cell(int row, int column)
     {
-        const auto [low, high] = std::minmax({p[0][axis], p[1][axis], p[2][axis]});
-        const auto cellOf = [&](double place) {
-            return std::clamp(static_cast<int>((place - mOrigin[axis]) / mCell[axis]), 0, cellsPerSide - 1);
-        };
-        return {cellOf(low), cellOf(high)};
+        return static_cast<std::size_t>(row * rowLength + column);
+    }
+    int rowOf(double y) const
+    {
+        return std::clamp(static_cast<int>((y - mOrigin.y()) / mCell.y()), 0, cellsPerSide - 1);
+    }
+    //! The first cell of a row, from a column on, that has room for a further layer. However many triangles
+    //! lie on each other, a full cell is looked at only once or twice.
+    int openFrom(int row, int column)
+    {
+        int open = column;
+        while (mNextOpen[cell(row, open)] != open)
+            open = mNextOpen[cell(row, open)];
+        while (column != open)
+            column = std::exchange(mNextOpen[cell(row, column)], open);
+        return open;
     }
 
     Vec2 mOrigin, mCell;
     std::vector<quint8> mLayers;
-    std::vector<int> mUnder; //!< cells of the last triangle
+    std::vector<int> mNextOpen; //!< per cell: itself while it has room, else one further on
 };
 
 } // namespace

@@ -31,9 +31,9 @@ void PointRenderer::setPoints(std::span<const PointVertex> points)
     mCount = static_cast<int>(points.size());
 }
 
-void PointRenderer::draw(const PointDrawing &drawing)
+void PointRenderer::draw(const PointDrawing &drawing, int first, int count)
 {
-    if (mCount == 0)
+    if (count == 0)
         return;
     mGl.glEnable(GL_PROGRAM_POINT_SIZE);
     mProgram->bind();
@@ -43,7 +43,7 @@ void PointRenderer::draw(const PointDrawing &drawing)
     mProgram->setUniformValue("mapOffset", drawing.mapOffset);
     mProgram->setUniformValue("size", static_cast<float>(drawing.size));
     mGl.glBindVertexArray(mArray);
-    mGl.glDrawArrays(GL_POINTS, 0, mCount);
+    mGl.glDrawArrays(GL_POINTS, first, count);
     mGl.glBindVertexArray(0);
     mProgram->release();
     mGl.glDisable(GL_PROGRAM_POINT_SIZE);

@@ -31,7 +31,9 @@ public:
     PointRenderer &operator=(const PointRenderer &) = delete;
 
     void setPoints(std::span<const PointVertex> points);
-    void draw(const PointDrawing &drawing);
+    void draw(const PointDrawing &drawing) { draw(drawing, 0, mCount); }
+    //! Draws only some of them.
+    void draw(const PointDrawing &drawing, int first, int count);
 
 private:
     GlFunctions &mGl;

@@ -36,12 +36,18 @@ QByteArray shaderText(const QString &name)
 } // namespace
 
 std::unique_ptr<QOpenGLShaderProgram> makeShaderProgram(const QString &vertexName,
-                                                        const QString &fragmentName)
+                                                        const QString &fragmentName, const QByteArray &define)
 {
     [[maybe_unused]] static const bool initialized = (initResources(), true);
+    const auto text = [&define](const QString &name) {
+        QByteArray all = shaderText(name);
+        if (!define.isEmpty())
+            all.insert(all.indexOf('\n') + 1, "#define " + define + '\n'); // after the version
+        return all;
+    };
     auto program = std::make_unique<QOpenGLShaderProgram>();
-    if (!program->addShaderFromSourceCode(QOpenGLShader::Vertex, shaderText(vertexName + u".vert"_s)) ||
-        !program->addShaderFromSourceCode(QOpenGLShader::Fragment, shaderText(fragmentName + u".frag"_s)) ||
+    if (!program->addShaderFromSourceCode(QOpenGLShader::Vertex, text(vertexName + u".vert"_s)) ||
+        !program->addShaderFromSourceCode(QOpenGLShader::Fragment, text(fragmentName + u".frag"_s)) ||
         !program->link())
         throw std::runtime_error(
             (vertexName + u", "_s + fragmentName + u": "_s + program->log()).toStdString());

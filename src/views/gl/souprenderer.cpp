@@ -18,9 +18,10 @@ QVector4D toVector(const QColor &color)
 
 } // namespace
 
-SoupRenderer::SoupRenderer(GlFunctions &gl)
-    : mGl(gl), mProgram(makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"))), mVertices(gl),
-      mUvs(gl), mGhostUvs(gl), mTangents(gl), mFaces(gl), mSides(gl), mIslands(gl), mSets(gl)
+SoupRenderer::SoupRenderer(GlFunctions &gl, bool asMap)
+    : mGl(gl), mAsMap(asMap), mProgram(makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"),
+                                                         asMap ? "IN_MAP" : QByteArray())),
+      mVertices(gl), mUvs(gl), mGhostUvs(gl), mTangents(gl), mFaces(gl), mSides(gl), mIslands(gl), mSets(gl)
 {
     mArray = makeArray(mUvs);
     mGhostArray = makeArray(mGhostUvs);
@@ -93,12 +94,16 @@ void SoupRenderer::setStyles(const SoupDrawing &drawing, const ViewColors &color
 
 void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
 {
-    if (mCount == 0)
+    draw(drawing, colors, {{0}, {mCount}});
+}
+
+void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors, const TriangleRuns &runs)
+{
+    if (mCount == 0 || runs.first.empty())
         return;
     QOpenGLShaderProgram &p = *mProgram;
     p.bind();
     setStyles(drawing, colors);
-    p.setUniformValue("asMap", drawing.asMap);
     p.setUniformValue("viewMatrix", drawing.view);
     p.setUniformValue("projectionMatrix", drawing.projection);
     p.setUniformValue("mapScale", drawing.mapScale);
@@ -106,7 +111,7 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("pixelRatio", static_cast<float>(drawing.pixelRatio));
     p.setUniformValue("smoothShading", drawing.smooth);
     const bool textured = isPicture(drawing.pattern) && drawing.pictures && !drawing.pictures->isEmpty();
-    const bool physical = textured && drawing.environment && !drawing.environment->isEmpty();
+    const bool physical = textured && !mAsMap && drawing.environment && !drawing.environment->isEmpty();
     p.setUniformValue("pattern", physical ? 3 : textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
     p.setUniformValue("pictureHeight",
                       static_cast<float>(pictureHeight(drawing.pattern, drawing.tileHeight)));
@@ -148,7 +153,8 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
         mGl.glEnableVertexAttribArray(3);
     else
         mGl.glDisableVertexAttribArray(3);
-    mGl.glDrawArrays(GL_TRIANGLES, 0, mCount);
+    mGl.glMultiDrawArrays(GL_TRIANGLES, runs.first.data(), runs.count.data(),
+                          static_cast<int>(runs.first.size()));
     mGl.glBindVertexArray(0);
     p.release();
 }

@@ -5,6 +5,7 @@
 #include "views/gl/glbuffer.h"
 #include "views/gl/patterntexture.h"
 #include "views/gl/soupbuffers.h"
+#include "views/gl/trianglesinstrip.h"
 
 #include <QMatrix4x4>
 #include <QOpenGLShaderProgram>
@@ -17,7 +18,6 @@ namespace autocuts {
 //! How the soup is drawn. Sizes are in logical pixels and are multiplied by pixelRatio.
 struct SoupDrawing
 {
-    bool asMap = false;            //!< draw at the UVs instead of the positions
     bool ghost = false;            //!< UV view: use the ghost UVs
     QMatrix4x4 view;               //!< 3D view: from mesh frame to eye space
     QMatrix4x4 projection;         //!< 3D view: from eye space to clip space
@@ -48,7 +48,8 @@ struct SoupDrawing
 class SoupRenderer final
 {
 public:
-    explicit SoupRenderer(GlFunctions &gl);
+    //! \param asMap draws at the UVs instead of the positions
+    SoupRenderer(GlFunctions &gl, bool asMap);
     ~SoupRenderer();
     SoupRenderer(const SoupRenderer &) = delete;
     SoupRenderer &operator=(const SoupRenderer &) = delete;
@@ -68,12 +69,15 @@ public:
     void setSides(std::span<const SideTexel> texels) { mSides.fill(texels); }
 
     void draw(const SoupDrawing &drawing, const ViewColors &colors);
+    //! Draws only some triangles.
+    void draw(const SoupDrawing &drawing, const ViewColors &colors, const TriangleRuns &runs);
 
 private:
     GLuint makeArray(GlBuffer &uvs);
     void setStyles(const SoupDrawing &drawing, const ViewColors &colors);
 
     GlFunctions &mGl;
+    const bool mAsMap;
     std::unique_ptr<QOpenGLShaderProgram> mProgram;
     GlBuffer mVertices, mUvs, mGhostUvs, mTangents;
     GlTexelBuffer mFaces, mSides, mIslands, mSets;
