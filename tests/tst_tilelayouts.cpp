@@ -352,6 +352,36 @@ private Q_SLOTS:
         QVERIFY(udimTiles(mesh, after, 1) == scaled.tiles());
     }
 
+    //! A live map that has no room makes all islands of the tile smaller; when the next one fits again, it is
+    //! where the first one was, as large as that.
+    void liveMapsReturnToTheirPlaces()
+    {
+        const Rectangles layout({{0.02, 0.02, 0.46, 0.46},
+                                 {0.52, 0.02, 0.46, 0.46},
+                                 {0.02, 0.52, 0.46, 0.46},
+                                 {0.52, 0.52, 0.46, 0.46}});
+        Snapshot snapshot;
+        snapshot.mesh = layout.mesh;
+        snapshot.keepTiles = true;
+        snapshot.uv = std::make_shared<const UvMatrix>(layout.uv);
+        snapshot.uvScale = layoutScale(*layout.mesh, layout.uv);
+        const auto soup = Soup::build(snapshot.mesh);
+        const auto map =
+            seamedMapOf(*soup, layout.uv / snapshot.uvScale, CutFlags(layout.mesh->edgePairs.size()));
+        QVERIFY(map);
+        unwrap::LivePlacing placing;
+        const unwrap::FreePart part = *unwrap::FreePart::of(snapshot);
+        const auto place = [&](const SeamedMap &shown) {
+            return placing.place(snapshot, part, *soup, shown, {}, false);
+        };
+        QVERIFY((place(*map) - layout.uv).cwiseAbs().maxCoeff() < 1e-9);
+        SeamedMap larger = *map;
+        for (int c = 0; c < 6; ++c) // the first island
+            cornerAt(larger.x, c) *= 1.4;
+        QVERIFY((place(larger) - layout.uv).cwiseAbs().maxCoeff() > 0.01);
+        QVERIFY((place(*map) - layout.uv).cwiseAbs().maxCoeff() < 1e-9);
+    }
+
     //! An island that is dragged onto another one while solving stays there after the drag; the other one
     //! gives way, in the same tile.
     void draggedIslandsStay()

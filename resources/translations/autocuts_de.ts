@@ -1785,7 +1785,7 @@
     </message>
     <message>
         <source>Pack a tile for each &amp;tag</source>
-        <translation>Eine Kachel für jeden &amp;Namen packen</translation>
+        <translation>Je &amp;Name eine Kachel packen</translation>
     </message>
     <message>
         <source>Give the islands of every tag a UDIM tile of their own, those without a tag the last one; islands that are selected, or all of them</source>
@@ -1793,7 +1793,7 @@
     </message>
     <message>
         <source>&amp;Lock or unlock the tile</source>
-        <translation>Die Kachel sperren oder &amp;entsperren</translation>
+        <translation>&amp;Kachel sperren oder entsperren</translation>
     </message>
     <message>
         <source>Lock all islands of the tiles of the selected islands, or unlock them when all are locked</source>

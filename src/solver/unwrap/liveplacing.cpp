@@ -38,12 +38,14 @@ void LivePlacing::beginWith(const FreePart &part)
 {
     mBefore.reset();
     if (part.snapshot().uv)
-        takeFrom(part, *part.snapshot().uv);
+        mBefore = takenFrom(part, *part.snapshot().uv);
+    mBegun = mBefore;
 }
 
 void LivePlacing::reset()
 {
     mBefore.reset();
+    mBegun.reset();
     mPutByHand.clear();
     mBeforeDrag.clear();
     mDrags = false;
@@ -53,17 +55,16 @@ void LivePlacing::returnTo(const FreePart &part, const UvMatrix &uv)
 {
     mPutByHand = mBeforeDrag;
     mDrags = false;
-    takeFrom(part, uv);
+    mBefore = takenFrom(part, uv);
 }
 
-//! Places the next map in relation to this one.
-void LivePlacing::takeFrom(const FreePart &part, const UvMatrix &uv)
+LivePlacing::Before LivePlacing::takenFrom(const FreePart &part, const UvMatrix &uv)
 {
     const Snapshot &own = part.snapshot();
     ChartMap charts = findCharts(*own.mesh, uv);
     const double scale = own.placesIslands() ? own.uvScale : layoutScale(*own.mesh, uv);
     std::vector<double> scales = faceScales(*own.mesh, charts, uv, scale, own.tileHeight);
-    mBefore = Before{own.mesh, uv, std::move(charts), std::move(scales)};
+    return {own.mesh, uv, std::move(charts), std::move(scales)};
 }
 
 namespace {
@@ -121,9 +122,10 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     const Snapshot own = part.withoutRectangles();
     // True when some islands are where they belong, so that the scale is given.
     const bool stays = !part.isWhole() || snapshot.placesIslands();
-    if (afresh && !stays)
+    if (afresh && !stays) {
         mBefore.reset();
-    else if (!mBefore || !samePolygons(*mBefore->mesh, *own.mesh))
+        mBegun.reset();
+    } else if (!mBefore || !samePolygons(*mBefore->mesh, *own.mesh))
         beginWith(part);
     const MeshData &mesh = *own.mesh;
     const CutMesh state(mesh, map.cut);
@@ -145,7 +147,7 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     if (mBefore) {
         pack.density = packing::DensityBasis::Given;
         given = chartScales(mesh, charts, mBefore->scale, own.uvScale);
-        uv = placeAgain(snapshot, part, charts, shape, pack, turns, held, given);
+        uv = placeAgain(snapshot, part, charts, shape, pack, turns, held);
     } else {
         uv = part.wholeUv((stays ? own.uvScale : 1) * shape);
         mHadRoom = packCharts(*snapshot.mesh, part.wholeCharts(charts), pack, uv);
@@ -161,13 +163,14 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     return uv;
 }
 
-//! Places a map in relation to the one before. \param shape per corner, solver units \param scales per chart
-UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part, const ChartMap &charts,
-                                 const UvMatrix &shape, const PackJob &pack, PackRotation turns,
-                                 const std::vector<bool> &held, std::vector<double> scales)
+//! The whole map with the charts where those of another map were, at the scales that these had.
+//! \param shape per corner, solver units
+UvMatrix LivePlacing::placedBy(const Before &before, const FreePart &part, const ChartMap &charts,
+                               const UvMatrix &shape, PackRotation turns, const std::vector<bool> &held) const
 {
     const MeshData &mesh = *part.snapshot().mesh;
     const double unit = layoutScale(mesh, shape); // 1 where it has the area of the model
+    std::vector<double> scales = chartScales(mesh, charts, before.scale, part.snapshot().uvScale);
     for (std::size_t chart = 0; chart < scales.size(); ++chart)
         scales[chart] = !held.empty() && held[chart] ? part.snapshot().uvScale : scales[chart] / unit;
     UvMatrix scaled = shape;
@@ -175,9 +178,23 @@ UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part,
         for (int c = mesh.faceStart[face]; charts.faceChart[face] >= 0 && c < mesh.faceStart[face + 1]; ++c)
             scaled.row(c) *= scales[charts.faceChart[face]];
     }
-    UvMatrix uv =
-        part.wholeUv(atOldPlaces(mesh, charts, held, {mBefore->uv, mBefore->charts}, turns, scaled));
+    return part.wholeUv(atOldPlaces(mesh, charts, held, {before.uv, before.charts}, turns, scaled));
+}
+
+//! Places a map in relation to the ones before: as at the beginning where all fits there, else as last.
+//! \param shape per corner, solver units
+UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part, const ChartMap &charts,
+                                 const UvMatrix &shape, const PackJob &pack, PackRotation turns,
+                                 const std::vector<bool> &held)
+{
     const ChartMap whole = part.wholeCharts(charts);
+    const bool byHand = std::ranges::find(mPutByHand, true) != mPutByHand.end();
+    if (mBegun && !byHand && !onlyRectangles(pack) && samePolygons(*mBegun->mesh, *part.snapshot().mesh)) {
+        UvMatrix uv = placedBy(*mBegun, part, charts, shape, turns, held);
+        if (liesFree(*snapshot.mesh, whole, pack, uv))
+            return uv;
+    }
+    UvMatrix uv = placedBy(*mBefore, part, charts, shape, turns, held);
     if (onlyRectangles(pack) && liesFree(*snapshot.mesh, whole, pack, uv))
         growIntoRectangles(*snapshot.mesh, whole, pack, uv);
     else

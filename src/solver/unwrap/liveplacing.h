@@ -42,13 +42,16 @@ private:
         std::vector<double> scale; //!< per face: length in texture space of one solver unit of the part
     };
     void beginWith(const FreePart &part);
-    void takeFrom(const FreePart &part, const UvMatrix &uv);
+    static Before takenFrom(const FreePart &part, const UvMatrix &uv);
     UvMatrix placeAgain(const Snapshot &snapshot, const FreePart &part, const ChartMap &charts,
                         const UvMatrix &shape, const PackJob &pack, PackRotation turns,
-                        const std::vector<bool> &held, std::vector<double> scales);
+                        const std::vector<bool> &held);
+    UvMatrix placedBy(const Before &before, const FreePart &part, const ChartMap &charts,
+                      const UvMatrix &shape, PackRotation turns, const std::vector<bool> &held) const;
     void noteDrags(const MeshData &mesh, const ChartMap &charts, const std::vector<int> &corners);
 
     std::optional<Before> mBefore;
+    std::optional<Before> mBegun;  //!< the part's own map, to whose places charts return that fit there
     std::vector<bool> mPutByHand;  //!< per face of the whole mesh; empty: none
     std::vector<bool> mBeforeDrag; //!< the same before the drag that goes on or was the last one
     bool mDrags = false;
