@@ -6,6 +6,9 @@
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"
 #include "support/studiosession.h"
+#include "views/control/jobpreview.h"
+#include "views/control/shownmap.h"
+#include "views/control/workspace.h"
 
 #include <QElapsedTimer>
 #include <QFileInfo>
@@ -32,6 +35,46 @@ class TestNeverWorse : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    //! What a running Unwrap shows in place of a map: only what keeps to the bound and obeys.
+    void previewsAreNoWorse_data()
+    {
+        QTest::addColumn<bool>("hasMap");
+        QTest::addColumn<bool>("withinBound");
+        QTest::addColumn<int>("unmetPins");
+        QTest::addColumn<bool>("shown");
+        QTest::newRow("good") << true << true << 0 << true;
+        QTest::newRow("too much stretch") << true << false << 0 << false;
+        QTest::newRow("off its pins") << true << true << 218 << false;
+        QTest::newRow("off one pin") << true << true << 1 << false;
+        QTest::newRow("better than none") << false << false << 1 << true;
+    }
+
+    void previewsAreNoWorse()
+    {
+        QFETCH(const bool, hasMap);
+        QFETCH(const bool, withinBound);
+        QFETCH(const int, unmetPins);
+        QFETCH(const bool, shown);
+        Workspace workspace;
+        Scene scene = test::sceneOf(test::grid(3));
+        const std::shared_ptr<const MeshData> mesh = scene.mesh;
+        const UvMatrix map = test::splitLayout(*mesh);
+        if (hasMap)
+            scene.uvSets.push_back({u"map"_s, map});
+        workspace.open(std::make_unique<Document>(std::move(scene)), {});
+        QCOMPARE(hasUvs(*workspace.document()), hasMap);
+        ShownMap shownMap(workspace);
+        JobPreview preview(workspace, shownMap);
+        unwrap::UnwrapResult result;
+        result.uv = 0.5 * map;
+        result.withinBound = withinBound;
+        for (int pin = 0; pin < unmetPins; ++pin)
+            result.unmet.pins.push_back(pin);
+        preview.begin()(result);
+        QCoreApplication::processEvents();
+        QCOMPARE(shownMap.isLive(), shown);
+    }
+
     void pinnedMapsStayGood_data()
     {
         QTest::addColumn<QString>("model");

@@ -306,6 +306,54 @@ private Q_SLOTS:
         QVERIFY(result.symmetry && *result.symmetry > 0);
     }
 
+    //! Where a side has other points, the image of a path has gaps. Pieces of it within a chart would shrink
+    //! to points in its embedding, from which no search recovers.
+    void imagesOfCutsHangTogether()
+    {
+        int points = 0;
+        const MeshPtr mesh = moved(*sample("character"), [&](const Vec3 &p) {
+            const bool pulled = p.x() > 0.01 && ++points % 40 == 0;
+            return Vec3(p.x(), p.y(), p.z() + (pulled ? 0.15 : 0.0));
+        });
+        const std::optional<MeshSymmetry> symmetry = findSymmetry(*mesh);
+        QVERIFY(symmetry.has_value());
+        QVERIFY2(symmetry->matchedArea < 0.97, qPrintable(QString::number(symmetry->matchedArea)));
+        Snapshot snapshot;
+        snapshot.mesh = mesh;
+        const auto soup = Soup::build(mesh);
+        const auto graph = SeamGraph::build(soup, snapshot, &*symmetry);
+        for (std::uint64_t seed = 0; seed < 6; ++seed) {
+            SeedOptions options;
+            options.seed = seed;
+            const std::vector<char> cut = fewCuts(*graph, options);
+            const CutMesh charts(*mesh, {cut.begin(), cut.end()});
+            QCOMPARE(std::ssize(charts.boundaryLoops()), std::ptrdiff_t(charts.chartCount));
+        }
+    }
+
+    //! What is said of the cuts is so.
+    void freeCutsAreSaid_data()
+    {
+        QTest::addColumn<MeshPtr>("mesh");
+        QTest::addColumn<double>("bound");
+        QTest::newRow("met") << sample("character") << 4.1;
+        QTest::newRow("missed") << test::sphere(8, 10) << 4.00001;
+    }
+    void freeCutsAreSaid()
+    {
+        QFETCH(const MeshPtr, mesh);
+        QFETCH(const double, bound);
+        Snapshot snapshot;
+        snapshot.mesh = mesh;
+        snapshot.settings.symmetry = true;
+        UnwrapOptions options;
+        options.quality = UnwrapQuality::Draft;
+        options.maxDistortion = bound;
+        options.pack = false;
+        const UnwrapResult result = unwrapMesh(snapshot, options, {nullptr, 2});
+        QCOMPARE(*result.symmetry < 0.95, result.symmetryMissed);
+    }
+
     //! Triangles that are split the other way on the other side.
     void otherDiagonalsAreSymmetric()
     {

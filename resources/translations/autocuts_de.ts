@@ -6263,6 +6263,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>%1 % der Oberfläche haben kein Spiegelbild: Ihre Schnitte sind frei</translation>
     </message>
     <message>
+        <source>No symmetric cuts met the bound: the cuts are free</source>
+        <translation>Keine symmetrischen Schnitte hielten die Grenze ein: Die Schnitte sind frei</translation>
+    </message>
+    <message>
         <source>, %1 % of the seams symmetric</source>
         <translation>, %1 % der Nähte symmetrisch</translation>
     </message>

@@ -103,6 +103,8 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
         outcome.warnings << QStringLiteral("the mesh is not symmetric: nor are the cuts");
     else if (result.symmetry)
         saySymmetry(*result.symmetry, *scene.mesh, outcome);
+    if (result.symmetryMissed)
+        outcome.warnings << QStringLiteral("no symmetric cuts met the bound: the cuts are free");
     if (!result.withinBound)
         sayBoundMissed(result.distortion, outcome);
     return outcome;

@@ -203,9 +203,14 @@ void openCharts(const SeamGraph &graph, const std::vector<double> &cost, Random 
     }
 }
 
-//! Cuts a path from each boundary loop of a chart to the nearest loop that is already joined to the longest
-//! one (by number of edges).
-void joinBorders(const SeamGraph &graph, const std::vector<double> &cost, CutFlags &cut)
+enum class Loops {
+    All,
+    Slits //!< those without a border of the mesh
+};
+
+//! Cuts a path from boundary loops of a chart to the nearest loop that is already joined to the longest one
+//! (by number of edges).
+void joinLoops(const SeamGraph &graph, const std::vector<double> &cost, Loops which, CutFlags &cut)
 {
     const MeshData &mesh = *graph.soup->mesh;
     const CutMesh state(mesh, cut);
@@ -224,6 +229,9 @@ void joinBorders(const SeamGraph &graph, const std::vector<double> &cost, CutFla
         if (longest[c] >= 0)
             joined[longest[c]] = true;
     }
+    const auto isBorder = [&](int side) { return graph.across[side] < 0; };
+    for (std::size_t i = 0; i < loops.size() && which == Loops::Slits; ++i)
+        joined[i] = joined[i] || std::any_of(loops[i].begin(), loops[i].end(), isBorder);
     for (std::size_t i = 0; i < loops.size(); ++i) {
         if (joined[i])
             continue;
@@ -243,7 +251,16 @@ void joinBorders(const SeamGraph &graph, const std::vector<double> &cost, CutFla
         if (nearest >= 0)
             cutPath(graph, via, nearest, cut);
     }
+}
+
+//! Cuts the mirror images of all cuts. Where the mesh is not quite symmetric, some edges have none: what is
+//! left of an image is joined, since pieces of a path within a chart would be points in its embedding.
+void mirrorCuts(const SeamGraph &graph, const std::vector<double> &cost, CutFlags &cut)
+{
+    if (!graph.isMirrored())
+        return;
     graph.makeSymmetric(cut);
+    joinLoops(graph, cost, Loops::Slits, cut);
 }
 
 //! Per vertex of the uncut surface: logarithm of the area of its triangles in 3D over that in the embedding.
@@ -300,7 +317,8 @@ std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options)
         cut[e] = graph.rule[e] == SeamGraph::Rule::AlwaysCut;
     openCharts(graph, cost, random, cut);
     if (options.joinBorders)
-        joinBorders(graph, cost, cut);
+        joinLoops(graph, cost, Loops::All, cut);
+    mirrorCuts(graph, cost, cut);
 
     const auto stopped = [&] { return options.job.stopped(); };
     for (int added = 0; added < options.paths && !stopped(); ++added) {
@@ -327,7 +345,7 @@ std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options)
                 continue;
             any |= joinToSeam(graph, cost, v, onSeam, cut);
         }
-        graph.makeSymmetric(cut);
+        mirrorCuts(graph, cost, cut);
         if (!any)
             break;
     }

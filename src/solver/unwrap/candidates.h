@@ -20,6 +20,7 @@ struct Candidate
     int anchorFaults = 0; //!< see search::CutState
     int openJoins = 0;    //!< joined edges that are seams
     bool onlyPatches = false; //!< see flatPatches()
+    bool symmetric = false;   //!< found among symmetric cuts
 
     //! Sets distortion, bounded, seamLength, seamCost, smallCharts and openJoins from the map.
     void measure(const Soup &soup, const Snapshot &snapshot);

@@ -281,6 +281,7 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     if (snapshot.settings.symmetry)
         found.symmetry =
             symmetry ? preference::symmetricShare(*snapshot.mesh, *symmetry, found.best.map.cut) : 0;
+    found.symmetryMissed = symmetry && !found.best.symmetric && !job.stopped();
     return found;
 }
 

@@ -13,6 +13,7 @@ struct FoundMap
     Candidate best;
     int iterations = 0;
     std::optional<double> symmetry; //!< as UnwrapResult::symmetry
+    bool symmetryMissed = false;    //!< the same
     bool onlyReady = false;         //!< stopped before there was a map; the result is ready
 };
 

@@ -164,6 +164,7 @@ private:
             return std::nullopt;
         Candidate candidate;
         candidate.anchorFaults = found->anchorFaults;
+        candidate.symmetric = symmetry != nullptr;
         candidate.lambda = mOptions.lambda.value_or(found->mu / (1 + found->mu));
         mIterations += found->iterations;
         candidate.map =

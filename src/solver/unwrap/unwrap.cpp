@@ -253,6 +253,7 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, con
     result.iterations = found.iterations;
     result.hardShare = preference::surfaceParts(*part->snapshot().mesh, snapshot.settings.surface).hardShare;
     result.symmetry = found.symmetry;
+    result.symmetryMissed = found.symmetryMissed;
     result.stopped = job.stopped();
     return result;
 }

@@ -44,6 +44,8 @@ struct UnwrapResult
         0; //!< share of the area in parts that count as hard surfaces, see preference/surfacekind.h
     //! Share of the seam length that is symmetric, 0 on a mesh that is not. Set when symmetry is asked for.
     std::optional<double> symmetry;
+    bool symmetryMissed =
+        false; //!< the mesh is symmetric, but no symmetric cuts met the bound: they are free
     //! Set when something was to be straight: false when stopped before all of that was done.
     std::optional<bool> straight;
     //! Per face: the flags of the islands, with the stacks of AlikeMode::Stack. Empty: they stay.

@@ -185,12 +185,17 @@ QString asymmetryText(double mirrored)
                      .arg(100 * (1 - mirrored), 0, 'f', 1);
 }
 
-//! Says how symmetric the seams are, and what has no mirror image. \param share of the seams' length
-void saySymmetry(double share, const MeshData &mesh, MapJobResult &result)
+//! Says how symmetric the seams are, and what has no mirror image.
+void saySymmetry(const unwrap::UnwrapResult &made, const MeshData &mesh, MapJobResult &result)
 {
     const auto symmetry = preference::findSymmetry(mesh);
     if (symmetry)
-        result.message += JobTexts::tr(", %1 % of the seams symmetric").arg(100 * share, 0, 'f', 1);
+        result.message += JobTexts::tr(", %1 % of the seams symmetric").arg(100 * *made.symmetry, 0, 'f', 1);
+    if (made.symmetryMissed) {
+        result.problem =
+            result.message + u". "_s + JobTexts::tr("No symmetric cuts met the bound: the cuts are free");
+        return;
+    }
     if (const QString text = asymmetryText(symmetry ? symmetry->matchedArea : 0); !text.isEmpty())
         result.problem = result.message + u". "_s + text;
 }
@@ -237,7 +242,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
                 .arg(made.distortion, 0, 'f', 4)
                 .arg(options.maxDistortion, 0, 'f', 4);
     else if (made.symmetry)
-        saySymmetry(*made.symmetry, input.mesh(), result);
+        saySymmetry(made, input.mesh(), result);
     return result;
 }
 
