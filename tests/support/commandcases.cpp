@@ -362,7 +362,9 @@ std::vector<Case> uvCases()
          [](Document &d) {
              UvMatrix uv = d.uv();
              uv(7, 0) = 3;
-             return newMapCommand(d, UvEdit::AlignToAxes, uv, 1, {0, 1});
+             std::vector<IslandFlags> flags = d.marks().faceFlags;
+             flags[0].aligned = flags[1].aligned = 1;
+             return newMapCommand(d, UvEdit::AlignToAxes, uv, 1, flags);
          },
          "Align 1 island to the axes",
          {u"uv 1 set 0: 7-7"_s, u"flag 16: 0-1"_s, u"uv 2 set 0:"_s},
