@@ -130,6 +130,12 @@ private Q_SLOTS:
         studio.action("select.all")->trigger();
         auto *const height = studio.window.findChild<QDoubleSpinBox *>(u"height"_s);
         QVERIFY(height);
+        QTRY_VERIFY(std::abs(height->value() - 2048 * studio.box().sizes().y()) < 0.01); // texels
+        auto *const unit = studio.window.findChild<QComboBox *>(u"unit"_s);
+        QVERIFY(unit);
+        unit->setFocus();
+        QTest::keyClick(unit, Qt::Key_Home);
+        QCOMPARE(unit->currentText(), u"UV units"_s);
         QTRY_VERIFY(std::abs(height->value() - 2 * studio.box().sizes().y()) < 1e-4);
         const QString path = studio.folder.filePath(u"out.obj"_s);
         studio.context.files.exportMesh(path);
