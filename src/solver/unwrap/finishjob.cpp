@@ -105,7 +105,7 @@ void place(const FinishInput &input, const FreePart &part, NewCharts map, const 
         const bool packed = keeps ? packMisplaced(mesh, map.charts, pack, map.uv, packing)
                                   : packCharts(mesh, map.charts, pack, map.uv, packing);
         result.noRoom = !packed && !job.stopped();
-        result.madeSmaller = keeps && layoutScale(mesh, map.uv) < (1 - sameSize) * size;
+        result.madeSmaller = keeps && !input.live && layoutScale(mesh, map.uv) < (1 - sameSize) * size;
         result.uv = std::move(map.uv);
     }
 }
