@@ -202,7 +202,7 @@ void LivePacker::reset()
 
 void LivePacker::arrange(const Document &document, const std::vector<float> &separation, UvMatrix &uv)
 {
-    const std::shared_ptr<const MeshData> mesh = document.weightedMesh();
+    const std::shared_ptr<const MeshData> &mesh = document.weightedMesh();
     const Constraints &constraints = document.constraints();
     const PackingSettings &packing = document.packingSettings();
     if (!mJobs.isBusy() && (!mArrangement || mSince.elapsed() >= packInterval)) {

@@ -83,7 +83,7 @@ private:
 
     static std::size_t cell(int row, int column)
     {
-        return static_cast<std::size_t>(row * rowLength + column);
+        return static_cast<std::size_t>(row) * rowLength + static_cast<std::size_t>(column);
     }
     int rowOf(double y) const
     {

@@ -558,8 +558,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
-    arrangeToolBars();
     fitPanels();
+    arrangeToolBars(); // arrangements of panels hold those of tool bars, too
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event)
