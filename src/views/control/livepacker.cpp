@@ -128,7 +128,7 @@ bool arrangeAround(const Vec2 &middle, const std::vector<int> &pieces, const Box
     settings.keepScale = true;
     settings.effort = packEffort;
     double side = std::max(1.0, std::sqrt(area / firstFill));
-    for (int i = 0; i < mostWidenings && !stop; ++i, side *= widening) {
+    for (int tries = 0; tries < mostWidenings && !stop; ++tries, side *= widening) {
         settings.lower = middle - Vec2::Constant(side / 2);
         settings.upper = middle + Vec2::Constant(side / 2);
         const packing::PackResult packed = packing::packIslands(present, settings, &stop);
