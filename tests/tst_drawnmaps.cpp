@@ -5,9 +5,12 @@
 #include "support/studiosession.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/uvview.h"
+#include "views/gl/soupbuffers.h"
 
 #include <QFileInfo>
 #include <QTest>
+
+#include <cmath>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -15,13 +18,13 @@ using test::StudioSession;
 
 namespace {
 
-//! \param drawn two numbers per soup corner, as they are given to the graphics card
+//! NaN where nothing is drawn. \param drawn two numbers per soup corner, as the graphics card gets them
 UvMatrix cornerUvOf(const MeshData &mesh, const std::vector<float> &drawn)
 {
     UvMatrix uv(mesh.cornerCount(), 2);
     for (std::size_t s = 0; 2 * s < drawn.size(); ++s)
         uv.row(mesh.cornerOfSoup(static_cast<int>(s))) << double(drawn[2 * s]), double(drawn[2 * s + 1]);
-    return uv;
+    return (uv.array() == double(noUv)).select(std::nan(""), uv);
 }
 
 //! What is wrong with a drawn map; empty: nothing. Numbers of single precision overlap by rounding.

@@ -196,6 +196,8 @@ private Q_SLOTS:
             << QList<double>{0, 0, 8, 3, 0.1, 0.1, 0.4, 0.4, 2.1, 0.1, 0.4, 0.4} << QList<int>{0, 1001, 1003}
             << false;
         QTest::newRow("over very many tiles") << QList<double>{-1e6, 0, 2e6, 1e6} << QList<int>{0} << false;
+        QTest::newRow("further out than whole numbers reach")
+            << with({1e30, 1e30, 1, 1}) << QList<int>{1001, 1001} << true;
         QTest::newRow("too large, in a layout of tiles")
             << QList<double>{0, 0, 1, 1, 1, 0, 1, 1, 2, 0, 1, 1, 3, 0, 1.25, 1}
             << QList<int>{1001, 1002, 1003, 1004} << true;

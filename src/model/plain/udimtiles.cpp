@@ -21,6 +21,8 @@ constexpr double tolerance = 1e-6;
 constexpr double homeShare = 2.0 / 3, leastAtHome = 0.5;
 //! An island that reaches over more tiles than this along an axis is not looked at tile by tile.
 constexpr double mostCells = 16;
+//! Nor is one that lies further out than this: there are no tiles, and far enough out not even whole numbers.
+constexpr double farthest = 1e6;
 
 //! Column and row of the tile with the point.
 Vec2 cellOf(const Vec2 &point, double tileHeight)
@@ -122,7 +124,8 @@ std::vector<Reach> reachesOf(const MeshData &mesh, const ChartMap &charts, const
     for (int chart = 0; chart < charts.count; ++chart) {
         const Reach &reach = reaches[chart];
         looksAt[chart] = !reach.box.isEmpty() && tileOf(reach.box, tileHeight) == 0 &&
-                         reach.size(tileHeight).maxCoeff() < mostCells;
+                         reach.size(tileHeight).maxCoeff() < mostCells &&
+                         reach.box.min().minCoeff() > -farthest && reach.box.max().maxCoeff() < farthest;
     }
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         const int chart = charts.faceChart[mesh.triangleFace[t]];
