@@ -2,6 +2,7 @@
 
 #include "model/document/makesnapshot.h"
 #include "model/io/meshfile.h"
+#include "model/plain/udimtiles.h"
 #include "support/editsupport.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
@@ -230,11 +231,12 @@ private:
         requireEntry(u"solve with a rectangle"_s);
     }
 
-    //! True when every island of the rectangle lies in it, and all others lie in the texture.
+    //! True when every island of the rectangle lies in it, and each other one in a tile: where a region that
+    //! was dragged out of the texture lies in the tile above, it stays there.
     bool liesWhereItBelongs()
     {
         const LayoutRectangle &rectangle = document().constraints().rectangles[0];
-        const Eigen::AlignedBox2d texture(Vec2(-1e-9, -1e-9), Vec2(1 + 1e-9, 1 + 1e-9));
+        const Vec2 margin = Vec2::Constant(1e-9);
         const Eigen::AlignedBox2d inside(rectangle.lower - Vec2::Constant(1e-6),
                                          rectangle.upper + Vec2::Constant(1e-6));
         const Islands &islands = document().islands();
@@ -242,7 +244,10 @@ private:
             const std::vector<int> &faces = islands.faces(i);
             const bool assigned = std::any_of(faces.begin(), faces.end(),
                                               [&](int face) { return rectangle.faces.contains(face); });
-            if (!(assigned ? inside : texture).contains(islands.box(i)))
+            const Eigen::AlignedBox2d tile = tileAt(islands.box(i).center(), 1);
+            const Eigen::AlignedBox2d around(tile.min() - margin, tile.max() + margin);
+            const bool isTile = tile.center().minCoeff() > 0;
+            if (!(assigned ? inside : around).contains(islands.box(i)) || !(assigned || isTile))
                 return false;
         }
         return true;
@@ -255,7 +260,7 @@ private:
         requireEntry(u"finish again"_s);
         require(mArtist.runJob("uv.pack"), u"not packed"_s);
         requireCleanMap(u"pack"_s);
-        require(mProblem.isEmpty() && liesWhereItBelongs(), u"packed outside of texture and rectangle"_s);
+        require(mProblem.isEmpty() && liesWhereItBelongs(), u"packed outside of tiles and rectangle"_s);
         mEntries = document().undoStack().index();
     }
 
