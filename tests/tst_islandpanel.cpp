@@ -1,6 +1,7 @@
 // The panel of the islands: its table, selection in both directions, marks and texel density.
 #include "commands/reset.h"
 #include "commands/setislandtag.h"
+#include "commands/settexelweights.h"
 #include "commands/setuvs.h"
 #include "support/editsupport.h"
 #include "support/panelbench.h"
@@ -269,6 +270,24 @@ private Q_SLOTS:
         QVERIFY(bench.document().islands().box(1).center().isApprox(centre));
         QVERIFY(test::isUpToDate(bench.panel));
         QCOMPARE(bench.text(1, IslandTable::Density), QLocale().toString(1024));
+    }
+
+    void paintedIslandsShowWhatTheyHave()
+    {
+        IslandBench bench;
+        QVERIFY(bench.table()->isColumnHidden(IslandTable::Shown)); // would say the same
+        pushCommand(SetTexelWeights::uniform(
+            bench.document(), IndexRanges::fromSorted(bench.document().islands().faces(1)), 2));
+        QVERIFY(test::isUpToDate(bench.panel));
+        QVERIFY(!bench.table()->isColumnHidden(IslandTable::Shown));
+        QCOMPARE(bench.text(0, IslandTable::Shown), QLocale().toString(2048));
+        // The map is as it was: so are its texels per unit. Where the weight is 1 there would be half of
+        // them.
+        QCOMPARE(bench.text(1, IslandTable::Shown), QLocale().toString(2048));
+        QCOMPARE(bench.text(1, IslandTable::Density), QLocale().toString(1024));
+        bench.stack().undo();
+        QVERIFY(test::isUpToDate(bench.panel));
+        QVERIFY(bench.table()->isColumnHidden(IslandTable::Shown));
     }
 
     void lockedIslandsKeepTheirDensity()

@@ -4,6 +4,7 @@
 #include "support/cliruns.h"
 #include "support/pieces.h"
 #include "support/studiosession.h"
+#include "views/canvas/uvview.h"
 #include "views/control/mapcontroller.h"
 #include "views/dialogs/densitydialog.h"
 #include "views/dialogs/exportlayoutdialog.h"
@@ -161,6 +162,35 @@ private Q_SLOTS:
         QVERIFY(std::abs(figures.texelDensitySpread - 1) < 1e-6); // at the density of the others
         desk.document()->undoStack().undo();
         QVERIFY(desk.document()->uv().topRows(3 * test::partCorners) == others);
+    }
+
+    void tilesHaveTheColourOfTheirMaterial()
+    {
+        // One part in each of 1001, 1002 and 1003; a fourth one, of another material, in 1003 as well.
+        const auto placed = test::partsDocument({{{0.3, 0.3}}, {{1.3, 0.3}}, {{2.2, 0.3}}, {{2.6, 0.3}}});
+        Scene scene = placed->state().scene;
+        scene.materialNames = {u"red"_s, u"green"_s};
+        scene.materialColors = {qRgb(255, 0, 0), qRgb(0, 255, 0)};
+        scene.faceMaterial.clear();
+        for (const int material : {0, 1, 0, 1})
+            scene.faceMaterial.insert(scene.faceMaterial.end(), test::partFaces, material);
+        test::StudioSession studio;
+        studio.context.workspace.open(std::make_unique<Document>(std::move(scene)), {});
+        QVERIFY(studio.measured());
+        UvView &view = studio.window.uvView();
+        // How much more red than green the empty corner of each tile is.
+        const auto redness = [&] {
+            const QImage picture = view.grab().toImage();
+            QList<int> result;
+            for (int tile = 0; tile < 3; ++tile) {
+                const QPointF place = view.camera().toScreen(Vec2(tile + 0.9, 0.1));
+                const QColor color = picture.pixelColor((place * picture.devicePixelRatio()).toPoint());
+                result << color.red() - color.green();
+            }
+            return result;
+        };
+        QTRY_VERIFY2(redness()[0] > 30 && redness()[1] < -30 && std::abs(redness()[2]) < 10,
+                     qPrintable(u"%1, %2, %3"_s.arg(redness()[0]).arg(redness()[1]).arg(redness()[2])));
     }
 
     void picturesAndReport()

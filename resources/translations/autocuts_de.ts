@@ -5197,8 +5197,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Texeldichte: Texel je Einheit des Modells bei der Texturgröße im Bedienfeld Packen, wo das gemalte Gewicht der Texeldichte 1 ist</translation>
     </message>
     <message>
-        <source>true</source>
-        <translation>wahr</translation>
+        <source>true px</source>
+        <translation>echte px</translation>
     </message>
     <message>
         <source>Texels per unit of the model that the island has, with its painted weights</source>

@@ -143,7 +143,7 @@ QVariant IslandTable::headerData(int section, Qt::Orientation orientation, int r
         {tr("px/unit"),
          tr("Texel density: texels per unit of the model at the texture size of the Packing panel, where the "
             "painted texel density weight is 1")},
-        {tr("true"), tr("Texels per unit of the model that the island has, with its painted weights")},
+        {tr("true px"), tr("Texels per unit of the model that the island has, with its painted weights")},
         {tr("D"),
          tr("Mean distortion of the island, whatever its size: symmetric Dirichlet energy, 4 where nothing "
             "is distorted")},
