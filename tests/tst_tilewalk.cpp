@@ -23,6 +23,8 @@ namespace {
 constexpr int parts = 14;
 constexpr double leastGap = 4;       //!< texels
 constexpr double leastChange = 0.03; //!< of a scale, see densityGroups()
+//! Share of their scale that islands keep where a job says that it made them smaller, in full tiles.
+constexpr double leastSaid = 0.8;
 
 //! How a part lies in the map.
 struct Place
@@ -168,8 +170,9 @@ private:
         return metrics::measureUv(*mSnapshot.mesh, uv, options).overlapPairs > 0;
     }
 
-    //! What a job has done that it should not do to any island. \param sizes it may change them
-    QString changed(const UvMatrix &after, bool sizes, bool turns) const
+    //! What a job has done that it should not do to any island. \param leastScale of what an island had;
+    //! 0: the job may change sizes as it likes
+    QString changed(const UvMatrix &after, double leastScale, bool turns) const
     {
         const std::vector<Place> before = places(), now = placesIn(after);
         for (int part = 0; part < parts; ++part) {
@@ -178,8 +181,9 @@ private:
                 return which + u" went to tile %1"_s.arg(now[part].tile);
             if (isLocked(part) && rowsOf(after, part) != rowsOf(uv(), part))
                 return which + u" is locked and moved"_s;
-            if (!sizes && std::abs(now[part].scale / before[part].scale - 1) > leastChange)
-                return which + u" changed its scale by %1"_s.arg(now[part].scale / before[part].scale);
+            const double scale = now[part].scale / before[part].scale;
+            if (leastScale > 0 && (scale < leastScale || scale > 1 + leastChange))
+                return which + u" changed its scale by %1"_s.arg(scale);
             if (!turns &&
                 std::abs(std::remainder(now[part].angle - before[part].angle, 2 * std::numbers::pi)) > 1e-3)
                 return which + u" was turned by %1"_s.arg(now[part].angle - before[part].angle);
@@ -200,7 +204,8 @@ private:
         if (made.saysItFailed || made.uv.rows() == 0)
             return {};
         const bool keeps = name == u"live"_s || name == u"finish"_s;
-        QString wrong = changed(made.uv, !keeps, !(name == u"live"_s && !crowded && !sticksOut(uv())));
+        const double leastScale = !keeps ? 0 : made.saysSmaller ? leastSaid : 1 - leastChange;
+        QString wrong = changed(made.uv, leastScale, !(name == u"live"_s && !crowded && !sticksOut(uv())));
         if (wrong.isEmpty() && name == u"pack"_s && sticksOut(made.uv))
             wrong = u"an island reaches over the border"_s;
         setUv(made.uv);
@@ -229,7 +234,7 @@ private:
         UvMatrix after = uv();
         if (!unwrap::packCharts(*mSnapshot.mesh, findCharts(*mSnapshot.mesh, after), pack, after))
             return {};
-        QString wrong = changed(after, true, true);
+        QString wrong = changed(after, 0, true);
         for (int other = 0; other < parts && wrong.isEmpty(); ++other) {
             if (other != part && rowsOf(after, other) != rowsOf(uv(), other))
                 wrong = u"island %1 moved"_s.arg(other + 1);
@@ -259,7 +264,7 @@ private:
             if (scope.faces[other * test::partFaces])
                 setAligned(other, false);
         }
-        wrong = changed(made.uv, made.madeSmaller, true);
+        wrong = changed(made.uv, made.madeSmaller ? leastSaid : 1 - leastChange, true);
         for (int other = 0; other < parts && wrong.isEmpty(); ++other) {
             if (before[other].tile != before[part].tile && rowsOf(made.uv, other) != rowsOf(uv(), other))
                 wrong = u"island %1 of another tile moved"_s.arg(other + 1);

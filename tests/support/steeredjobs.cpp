@@ -32,7 +32,8 @@ UnwrapOptions draft()
 Outcome unwrapped(const Snapshot &snapshot)
 {
     const UnwrapResult result = unwrapMesh(snapshot, draft());
-    return {result.uv, result.cut, result.unmet, true, !result.packed && !result.nothingFree};
+    return {result.uv,         result.cut, result.unmet, true, !result.packed && !result.nothingFree,
+            result.madeSmaller};
 }
 
 Outcome finished(const Snapshot &snapshot)
@@ -41,7 +42,7 @@ Outcome finished(const Snapshot &snapshot)
     input.snapshot = snapshot;
     input.packing = hurried();
     const FinishResult result = finishMap(input);
-    return {result.uv, {}, result.unmet, true, result.noRoom || result.heldTogether};
+    return {result.uv, {}, result.unmet, true, result.noRoom || result.heldTogether, result.madeSmaller};
 }
 
 Outcome separated(const Snapshot &snapshot)

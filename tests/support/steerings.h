@@ -23,6 +23,7 @@ struct Outcome
     unwrap::UnmetSteering unmet{}; //!< what the job names
     bool reshapes = true;          //!< false: the job only packs, islands stay rigid
     bool saysItFailed = false;     //!< the job said that it could not do all
+    bool saysSmaller = false;      //!< the job said that it made islands smaller to make room
 };
 
 //! The clauses of the steering contract that an outcome breaks; empty when it keeps them all.
