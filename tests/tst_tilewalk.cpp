@@ -12,6 +12,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -198,8 +199,10 @@ private:
     QString run(const test::SteeredJob &job)
     {
         const QString name = QString::fromLatin1(job.name);
-        // Islands that touch others may have to move and, where there is no other room, to turn.
-        const bool crowded = metrics::measureUv(*mSnapshot.mesh, uv()).minGutterTexels < leastGap;
+        // Islands that touch others may have to move and, where there is no other room, to turn. So may those
+        // that get the same scale as others of their tile, because it was nearly the same.
+        const bool crowded =
+            metrics::measureUv(*mSnapshot.mesh, uv()).minGutterTexels < leastGap || hasNearlyTheSameScales();
         const test::Outcome made = job.run(mSnapshot);
         if (made.saysItFailed || made.uv.rows() == 0)
             return {};
@@ -210,6 +213,18 @@ private:
             wrong = u"an island reaches over the border"_s;
         setUv(made.uv);
         return wrong.isEmpty() ? QString() : name + u": "_s + wrong;
+    }
+
+    //! Two islands of a tile differ so little that they count as of one scale, see densityGroups().
+    bool hasNearlyTheSameScales() const
+    {
+        const std::vector<Place> all = places();
+        return std::ranges::any_of(all, [&](const Place &a) {
+            return std::ranges::any_of(all, [&](const Place &b) {
+                const double differ = std::abs(a.scale / b.scale - 1);
+                return a.tile == b.tile && differ > 1e-4 && differ < 2 * leastChange;
+            });
+        });
     }
 
     //! An island that may move does.
