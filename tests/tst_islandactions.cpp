@@ -7,7 +7,9 @@
 #include "support/studiosession.h"
 #include "views/canvas/uvview.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 
@@ -305,6 +307,54 @@ private Q_SLOTS:
         QCOMPARE(locked(), u"----"_s);
         studio.trigger("edit.undo");
         QCOMPARE(locked(), u"LLL-"_s);
+    }
+
+    //! The dialog gives a tag, takes it away, and selects by it.
+    void tagsAreGiven()
+    {
+        PartsStudio studio;
+        QStringList enabled;
+        // Types a name, then clicks a button or, without one, closes the dialog.
+        const auto answer = [&](const QString &name, const QString &button) {
+            studio.answers.onDialog = [&, name, button](QDialog &dialog) {
+                dialog.findChild<QComboBox *>(u"name"_s)->setEditText(name);
+                enabled.clear();
+                for (const auto *each : dialog.findChildren<QPushButton *>()) {
+                    if (each->isEnabled() && !each->objectName().isEmpty())
+                        enabled << each->objectName();
+                }
+                if (button.isEmpty())
+                    dialog.reject();
+                else
+                    dialog.findChild<QPushButton *>(button)->click();
+                return dialog.result();
+            };
+            studio.trigger("select.tags");
+        };
+        const auto facesOf = [&](const QString &name) {
+            const IslandTag *tag = studio.document().marks().tag(name);
+            return tag ? tag->faces.size() / test::partFaces : 0;
+        };
+        studio.selectParts({0, 2});
+        answer(u"arm"_s, {});
+        QCOMPARE(enabled, QStringList{u"tag"_s}); // there is no such tag yet
+        QCOMPARE(facesOf(u"arm"_s), 0);
+        answer(u" arm "_s, u"tag"_s);
+        QCOMPARE(facesOf(u"arm"_s), 2);
+        QCOMPARE(studio.said.last()[0].toString(), u"Tag 2 islands"_s);
+        answer({}, {});
+        QCOMPARE(enabled, QStringList());
+        studio.document().setSelection({});
+        answer(u"arm"_s, u"select"_s);
+        QCOMPARE(enabled, QStringList{u"select"_s});
+        QCOMPARE(studio.document().selection().faces.size(), 2 * test::partFaces);
+        studio.selectParts({2});
+        answer(u"arm"_s, u"untag"_s);
+        QCOMPARE(facesOf(u"arm"_s), 1);
+        studio.trigger("edit.undo");
+        QCOMPARE(facesOf(u"arm"_s), 2);
+        studio.trigger("edit.undo");
+        QCOMPARE(facesOf(u"arm"_s), 0);
     }
 
     //! The islands of a tag get a tile of their own, the others the last one.

@@ -1785,11 +1785,11 @@
     </message>
     <message>
         <source>Pack a tile for each &amp;tag</source>
-        <translation>Je &amp;Name eine Kachel packen</translation>
+        <translation>Je Mar&amp;kierung eine Kachel packen</translation>
     </message>
     <message>
         <source>Give the islands of every tag a UDIM tile of their own, those without a tag the last one; islands that are selected, or all of them</source>
-        <translation>Gibt den Inseln jedes Namens eine eigene UDIM-Kachel, denen ohne Namen die letzte; gewählten Inseln oder allen</translation>
+        <translation>Gibt den Inseln jeder Markierung eine eigene UDIM-Kachel, denen ohne Markierung die letzte; gewählten Inseln oder allen</translation>
     </message>
     <message>
         <source>&amp;Lock or unlock the tile</source>
@@ -1798,6 +1798,14 @@
     <message>
         <source>Lock all islands of the tiles of the selected islands, or unlock them when all are locked</source>
         <translation>Sperrt alle Inseln der Kacheln der gewählten Inseln, oder entsperrt sie, wenn alle gesperrt sind</translation>
+    </message>
+    <message>
+        <source>Tags of islands...</source>
+        <translation>Markierungen von Inseln ...</translation>
+    </message>
+    <message>
+        <source>Give the selected islands a tag, take it from them, or select the islands that have one</source>
+        <translation>Den ausgewählten Inseln eine Markierung geben, sie ihnen nehmen oder die Inseln auswählen, die eine haben</translation>
     </message>
 </context>
 <context>
@@ -3284,19 +3292,19 @@
     </message>
     <message>
         <source>Tag %n island</source>
-        <translation>%n Insel benennen</translation>
+        <translation>%n Insel markieren</translation>
     </message>
     <message>
         <source>Tag %n islands</source>
-        <translation>%n Inseln benennen</translation>
+        <translation>%n Inseln markieren</translation>
     </message>
     <message>
         <source>Untag %n island</source>
-        <translation>Namen von %n Insel entfernen</translation>
+        <translation>Markierung von %n Insel entfernen</translation>
     </message>
     <message>
         <source>Untag %n islands</source>
-        <translation>Namen von %n Inseln entfernen</translation>
+        <translation>Markierung von %n Inseln entfernen</translation>
     </message>
     <message>
         <source>Cut %n edge</source>
@@ -5013,6 +5021,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Islands locked: %1</source>
         <translation>Inseln gesperrt: %1</translation>
+    </message>
+    <message>
+        <source>Islands selected: %1</source>
+        <translation>Ausgewählte Inseln: %1</translation>
     </message>
 </context>
 <context>
@@ -8694,6 +8706,61 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>high</source>
         <translation>hoch</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::TagDialog</name>
+    <message>
+        <source>Tags of islands</source>
+        <translation>Markierungen von Inseln</translation>
+    </message>
+    <message>
+        <source>A tag that there is, or the name of a new one</source>
+        <translation>Eine vorhandene Markierung oder der Name einer neuen</translation>
+    </message>
+    <message>
+        <source>&amp;Tag</source>
+        <translation>&amp;Markieren</translation>
+    </message>
+    <message>
+        <source>Give the selected islands this tag</source>
+        <translation>Den ausgewählten Inseln diese Markierung geben</translation>
+    </message>
+    <message>
+        <source>&amp;Untag</source>
+        <translation>Markierung &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Take this tag from the selected islands</source>
+        <translation>Den ausgewählten Inseln diese Markierung nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>&amp;Auswählen</translation>
+    </message>
+    <message>
+        <source>Select the islands with this tag</source>
+        <translation>Die Inseln mit dieser Markierung auswählen</translation>
+    </message>
+    <message>
+        <source>Islands selected: %1</source>
+        <translation>Ausgewählte Inseln: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Name:</translation>
+    </message>
+    <message>
+        <source>Select islands first</source>
+        <translation>Zuerst Inseln auswählen</translation>
+    </message>
+    <message>
+        <source>There is no such tag</source>
+        <translation>Diese Markierung gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Type a name first</source>
+        <translation>Zuerst einen Namen eingeben</translation>
     </message>
 </context>
 <context>

@@ -88,6 +88,10 @@ constexpr std::array selectTable{
                "Shift+I",
                QT_TRANSLATE_NOOP("Actions", "Select the islands that are copies of the selected ones"),
                NeedsSelection | NeedsUvs},
+    ActionInfo{"select.tags", "Select", QT_TRANSLATE_NOOP("Actions", "Tags of islands..."), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Give the selected islands a tag, take it from them, or select "
+                                            "the islands that have one"),
+               NeedsUvs},
     ActionInfo{"select.overlapping", "Select", QT_TRANSLATE_NOOP("Actions", "O&verlapping faces"), "overlap",
                "", QT_TRANSLATE_NOOP("Actions", "Select the faces that overlap others in the map"),
                NeedsOverlaps},

@@ -2,6 +2,7 @@
 
 #include "commands/islandtransform.h"
 #include "commands/setislandflags.h"
+#include "commands/setislandtag.h"
 #include "commands/stackislands.h"
 #include "model/plain/udimtiles.h"
 #include "views/actions/actionregistry.h"
@@ -12,6 +13,7 @@
 #include "views/dialogs/densitydialog.h"
 #include "views/dialogs/numberdialog.h"
 #include "views/dialogs/scatterdialog.h"
+#include "views/dialogs/tagdialog.h"
 #include "views/selecting/movableislands.h"
 #include "views/selecting/selecting.h"
 #include "views/state/viewstate.h"
@@ -231,6 +233,7 @@ void IslandActions::connectDialogs()
     onTriggered("uv.scatter", [this](Document &document) { askScatter(document); });
     onTriggered("uv.sendToTile", [this](Document &document) { askTile(document); });
     onTriggered("uv.lockTile", [this](Document &document) { lockTile(document); });
+    onTriggered("select.tags", [this](Document &document) { askTag(document); });
     onTriggered("uv.packDensity", [this](Document &document) { askPackDensity(document); });
     onTriggered("uv.densitySet", [this](Document &document) { askDensity(document); });
 }
@@ -274,6 +277,33 @@ void IslandActions::askTile(Document &document)
     }
     if (pushCommand(movePieces(document, UvEdit::Move, pieces, transforms)))
         Q_EMIT said(tr("Islands sent to tile %1: %2").arg(mTile).arg(pieces.size()));
+}
+
+//! Tags the selected islands, untags them, or selects the islands of a tag.
+void IslandActions::askTag(Document &document)
+{
+    QStringList tags;
+    for (const IslandTag &tag : document.marks().tags)
+        tags << tag.name;
+    const std::vector<int> islands = document.islands().islandsOf(document.selection().faces);
+    TagDialog dialog(tags, static_cast<int>(islands.size()), mQuestions.window());
+    if (mQuestions.run(dialog) != QDialog::Accepted)
+        return;
+    using Choice = TagDialog::Choice;
+    const QString name = dialog.name();
+    if (dialog.choice() != Choice::Select) {
+        if (pushCommand(
+                std::make_unique<SetIslandTag>(document, name, islands, dialog.choice() == Choice::Tag)))
+            Q_EMIT said(document.undoStack().undoText());
+        return;
+    }
+    if (const IslandTag *tag = document.marks().tag(name)) {
+        Selection selection;
+        selection.mode = SelectionMode::Islands;
+        selection.faces = tag->faces;
+        document.setSelection(selection);
+        Q_EMIT said(tr("Islands selected: %1").arg(document.islands().islandsOf(tag->faces).size()));
+    }
 }
 
 //! Locks all islands of the tiles in which selected ones are, or unlocks them when all are locked.

@@ -48,6 +48,7 @@ private:
     void askPackDensity(Document &document);
     void askTile(Document &document);
     void lockTile(Document &document);
+    void askTag(Document &document);
 
     StudioContext mContext;
     Questions &mQuestions;
