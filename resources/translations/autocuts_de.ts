@@ -1785,7 +1785,7 @@
     </message>
     <message>
         <source>Pack a tile for each &amp;tag</source>
-        <translation>Je Mar&amp;kierung eine Kachel packen</translation>
+        <translation>Je Ma&amp;rkierung eine Kachel packen</translation>
     </message>
     <message>
         <source>Give the islands of every tag a UDIM tile of their own, those without a tag the last one; islands that are selected, or all of them</source>
