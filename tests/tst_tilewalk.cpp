@@ -24,7 +24,7 @@ namespace {
 constexpr int parts = 14;
 constexpr double leastGap = 4;       //!< texels
 constexpr double leastChange = 0.03; //!< of a scale, see densityGroups()
-//! Share of their scale that islands keep where a job says that it made them smaller, in full tiles.
+//! Share of their scale that islands keep where they have to be made smaller, in full tiles.
 constexpr double leastSaid = 0.8;
 
 //! How a part lies in the map.
@@ -207,7 +207,9 @@ private:
         if (made.saysItFailed || made.uv.rows() == 0)
             return {};
         const bool keeps = name == u"live"_s || name == u"finish"_s;
-        const double leastScale = !keeps ? 0 : made.saysSmaller ? leastSaid : 1 - leastChange;
+        // A live solve makes the islands of a tile smaller where there is no room for them, until there is.
+        const bool mayShrink = made.saysSmaller || (name == u"live"_s && crowded);
+        const double leastScale = !keeps ? 0 : mayShrink ? leastSaid : 1 - leastChange;
         QString wrong = changed(made.uv, leastScale, !(name == u"live"_s && !crowded && !sticksOut(uv())));
         if (wrong.isEmpty() && name == u"pack"_s && sticksOut(made.uv))
             wrong = u"an island reaches over the border"_s;
