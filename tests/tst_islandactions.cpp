@@ -361,6 +361,12 @@ private Q_SLOTS:
     void tagsGetTiles()
     {
         PartsStudio studio;
+        QSignalSpy failed(&studio.map, &MapController::failed);
+        studio.trigger("uv.packTags"); // there are none
+        QCOMPARE(failed.size(), 1);
+        QVERIFY(failed[0][0].toString().contains(u"No island has a tag"_s));
+        QVERIFY(studio.rests());
+        QCOMPARE(studio.document().undoStack().count(), 0);
         for (const auto &[name, part] : {std::pair(u"arm"_s, 3), std::pair(u"leg"_s, 1)})
             pushCommand(
                 std::make_unique<SetIslandTag>(studio.document(), name, std::vector<int>{part}, true));

@@ -6325,6 +6325,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>%1. Islands that stay as they were, because there is no room for better ones: %2</source>
         <translation>%1. Inseln, die bleiben, wie sie waren, weil für bessere kein Platz ist: %2</translation>
     </message>
+    <message>
+        <source>No island has a tag: Select &gt; Tags of islands gives one</source>
+        <translation>Keine Insel hat eine Markierung: Auswahl &gt; Markierungen von Inseln gibt eine</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>

@@ -368,6 +368,10 @@ void MapController::packEach(SceneKind kind)
     const Document *document = mWorkspace.document();
     if (!document)
         return;
+    if (kind == SceneKind::Tags && document->marks().tags.empty()) {
+        Q_EMIT failed(tr("No island has a tag: Select > Tags of islands gives one"));
+        return;
+    }
     const QList<int> faces = document->selection().faces;
     startPacking({faces.isEmpty(),
                   faces,

@@ -57,11 +57,13 @@ JobContext contextOf(JobControl &control, double bound = std::numeric_limits<dou
             }};
 }
 
-int packedCharts(const ChartMap &charts, const std::vector<bool> &movable)
+//! Number of charts that a pack may move.
+int packedCharts(const ChartMap &charts, const unwrap::PackJob &pack)
 {
     std::vector<bool> packed(charts.count);
-    for (std::size_t f = 0; f < movable.size(); ++f) {
-        if (charts.faceChart[f] >= 0 && movable[f])
+    for (std::size_t f = 0; f < pack.movable.size(); ++f) {
+        const bool locked = !pack.faceFlags.empty() && pack.faceFlags[f].locked != 0;
+        if (charts.faceChart[f] >= 0 && pack.movable[f] && !locked)
             packed[charts.faceChart[f]] = true;
     }
     return static_cast<int>(std::count(packed.begin(), packed.end(), true));
@@ -379,7 +381,7 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
     UvMatrix uv = input.uv;
     if (unwrap::packCharts(mesh, charts, pack, uv, contextOf(control))) {
         result.uv = std::move(uv);
-        result.message = JobTexts::tr("Islands packed: %1").arg(packedCharts(charts, pack.movable));
+        result.message = JobTexts::tr("Islands packed: %1").arg(packedCharts(charts, pack));
     } else {
         result.problem = control.stop() ? JobTexts::tr("Packing was cancelled: the map stays as it was")
                          : target.box
