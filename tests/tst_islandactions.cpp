@@ -317,6 +317,8 @@ private Q_SLOTS:
         // Types a name, then clicks a button or, without one, closes the dialog.
         const auto answer = [&](const QString &name, const QString &button) {
             studio.answers.onDialog = [&, name, button](QDialog &dialog) {
+                if (dialog.focusWidget() != dialog.findChild<QComboBox *>(u"name"_s))
+                    return int(QDialog::Rejected); // typing goes nowhere
                 dialog.findChild<QComboBox *>(u"name"_s)->setEditText(name);
                 enabled.clear();
                 for (const auto *each : dialog.findChildren<QPushButton *>()) {

@@ -44,6 +44,7 @@ TagDialog::TagDialog(const QStringList &tags, int islands, QWidget *parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(mName, &QComboBox::editTextChanged, this, &TagDialog::enableButtons);
     enableButtons();
+    mName->setFocus();
 }
 
 QString TagDialog::name() const
