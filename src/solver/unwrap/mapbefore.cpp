@@ -45,6 +45,8 @@ std::optional<search::CutState> steeredMapBefore(const std::shared_ptr<const sea
     if (definite::coversItself(soup, *map) &&
         (!definite::removeOverlaps(soup, unsteered, *map) || definite::coversItself(soup, *map)))
         return std::nullopt;
+    // Islands that were scaled are not stretched: their scales are kept where they are placed.
+    definite::equalizeDensity(soup, unsteered, *map);
     search::CutState state = search::CutState::from(graph->steeredBy(unsteered), *map, true);
     if (!graph->anchors.empty())
         search::placeAtAnchors(state);

@@ -15,7 +15,7 @@ namespace autocuts::unwrap {
 [[nodiscard]] std::optional<SeamedMap> mapBefore(const Soup &soup, const Snapshot &snapshot);
 
 //! The snapshot's map, changed where the steering asks for it: cuts opened, joins closed, hard pins reached.
-//! Overlaps are cut apart.
+//! Overlaps are cut apart, and islands that no pins hold get one density.
 //! \param graph of the snapshot
 //! \returns nothing when there is no map, when it has flipped triangles, when the joins cannot be closed, or
 //! when stopped
