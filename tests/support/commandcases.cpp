@@ -2,6 +2,7 @@
 
 #include "commands/editmapseams.h"
 #include "commands/edittextures.h"
+#include "commands/makeunique.h"
 #include "commands/edituvsets.h"
 #include "commands/hidefaces.h"
 #include "commands/islandtransform.h"
@@ -506,6 +507,11 @@ std::vector<Case> markCases()
          "Add 1 texture",
          {u"textures"_s},
          textures({})},
+        {"make unique",
+         [](Document &d) { return std::make_unique<MakeUnique>(d); },
+         "Make meshes unique",
+         {u"shared meshes"_s},
+         nullptr},
         {"untag", tag(u"skin"_s, {0}, false), "Untag 1 island", {u"tag skin"_s}, tag(u"metal"_s, {0}, false)},
     };
 }

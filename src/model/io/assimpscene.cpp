@@ -24,6 +24,24 @@ namespace autocuts {
 
 namespace {
 
+//! The values that have a type; null when there are none. Assimp's copier ends the program at others, such as
+//! the range of a light that a glTF file does not say.
+aiMetadata *copyOf(const aiMetadata *from)
+{
+    if (!from)
+        return nullptr;
+    auto copy = std::make_unique<aiMetadata>(*from);
+    unsigned kept = 0;
+    for (unsigned i = 0; i < copy->mNumProperties; ++i) {
+        if (!copy->mValues[i].mData)
+            continue;
+        std::swap(copy->mKeys[kept], copy->mKeys[i]);
+        std::swap(copy->mValues[kept++], copy->mValues[i]);
+    }
+    copy->mNumProperties = kept;
+    return kept > 0 ? copy.release() : nullptr;
+}
+
 //! Copies the node tree without its meshes; also returns the copies in depth-first order.
 aiNode *copyTree(const aiNode &from, std::vector<aiNode *> &order)
 {
@@ -31,8 +49,7 @@ aiNode *copyTree(const aiNode &from, std::vector<aiNode *> &order)
     order.push_back(node);
     node->mName = from.mName;
     node->mTransformation = from.mTransformation;
-    if (from.mMetaData)
-        node->mMetaData = new aiMetadata(*from.mMetaData);
+    node->mMetaData = copyOf(from.mMetaData);
     if (from.mNumChildren > 0)
         node->mChildren = new aiNode *[from.mNumChildren];
     for (unsigned c = 0; c < from.mNumChildren; ++c) {
@@ -305,8 +322,7 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     const aiScene &from = *source.scene;
     borrow(from);
     makeMaterials(scene, &from);
-    if (from.mMetaData)
-        mScene->mMetaData = new aiMetadata(*from.mMetaData);
+    mScene->mMetaData = copyOf(from.mMetaData);
 
     const bool sameColors = isGltfFormat(scene.format) == mOptions.linearColors;
     const auto toFile = sameColors ? nullptr : mOptions.linearColors ? linearFromSrgb : srgbFromLinear;

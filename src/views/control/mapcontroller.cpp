@@ -20,6 +20,7 @@
 #include <QScopedValueRollback>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace autocuts {
@@ -90,6 +91,30 @@ MapFigures measured(const MeshData &mesh, const UvMatrix &uv, const std::vector<
     return figures;
 }
 
+//! Adds the figures of the document's islands. \param file the measured map \param uv that of the document
+void ofDocument(MapFigures &figures, const MeshData &mesh, const UvMatrix &file, const UvMatrix &uv,
+                const PackingSettings &packing, JobControl &control)
+{
+    const auto bits = [](const UvMatrix &map) {
+        return std::string_view(reinterpret_cast<const char *>(map.data()),
+                                static_cast<std::size_t>(map.size()) * sizeof(double));
+    };
+    const auto take = [&figures](const metrics::UvMetrics &own) {
+        figures.islandDistortion = own.chartSymDirichlet;
+        figures.islandsOffTile = own.chartsOffTile;
+    };
+    if (bits(file) == bits(uv)) {
+        take(figures.metrics);
+        return;
+    }
+    metrics::UvMetricsOptions options;
+    options.textureSize = packing.textureSize;
+    options.tileHeight = packing.tileHeight();
+    options.overlaps = options.gutter = false;
+    options.job = &control.stop();
+    take(metrics::measureUv(mesh, uv, options));
+}
+
 //! The input of a job that may change only these faces.
 MapInput limited(MapInput input, JobReach reach, const QList<int> &faces)
 {
@@ -149,10 +174,11 @@ MapController::MapController(Workspace &workspace, SolverController &solver, Sho
         const bool stacks = event.type == ChangeEvent::Type::IslandFlag &&
                             (static_cast<const IslandFlagEvent &>(event).properties & IslandFlagEvent::Stack);
         const bool sizes = event.type == ChangeEvent::Type::TexelWeight;
-        mFigureChanges += stacks || sizes;
+        const bool sharing = event.type == ChangeEvent::Type::SharedMeshes;
+        mFigureChanges += stacks || sizes || sharing;
         if (mAgain && mJobs.isBusy())
             mAgainSoon.start();
-        if (textureSize || stacks || sizes || event.type == ChangeEvent::Type::Uv ||
+        if (textureSize || stacks || sizes || sharing || event.type == ChangeEvent::Type::Uv ||
             event.type == ChangeEvent::Type::UvSet) {
             mMeasureSoon.start();
             Q_EMIT figuresChanged();
@@ -566,10 +592,11 @@ void MapController::measure()
         tr("Measuring"),
         [mesh, uv = document->uv(), model = std::move(model), packing](JobControl &control) {
             // Objects that share a mesh have one map in the file, and lie on each other there on purpose.
-            const Scene file = asWritten(model.scene, model.scene.format);
+            const Scene file = asWritten(model.scene, model.scene.format, packing.tileHeight());
             const UvMatrix &map = file.hasUv() ? file.uvSets.front().uv : uv;
             MapFigures figures =
                 measured(*mesh, map, withInstanceStacks(file, model.marks.faceFlags), packing, control);
+            ofDocument(figures, *mesh, map, uv, packing, control);
             figures.tileMaterial = materialsOfTiles(model.scene, *mesh, map, packing.tileHeight());
             return figures;
         },

@@ -43,6 +43,10 @@ struct MapFigures
     metrics::UvMetrics metrics;
     //! The tiles in use whose islands have one material, with its number; empty where there is one tile only.
     std::map<int, int> tileMaterial;
+    //! Of each island of the document, which are not those of the file where objects share a mesh: its mean
+    //! distortion.
+    std::vector<double> islandDistortion;
+    std::vector<std::pair<int, int>> islandsOffTile; //!< of the document, see UvMetrics::chartsOffTile
     std::vector<int> overlapping;                 //!< triangles that overlap another one, ascending
     std::vector<std::array<int, 2>> overlapPairs; //!< pairs of triangles, the largest overlap first
 };

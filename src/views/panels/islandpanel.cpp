@@ -213,7 +213,7 @@ void IslandPanel::refresh()
     if (mFiguresStale) {
         static const std::vector<double> unknown;
         mTable->setFigures(islandFigures(
-            *document(), map.figuresAreFresh() ? map.figures()->metrics.chartSymDirichlet : unknown));
+            *document(), map.figuresAreFresh() ? map.figures()->islandDistortion : unknown));
         hideEmptyColumns();
         mFiguresStale = false;
     }

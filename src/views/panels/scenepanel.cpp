@@ -221,7 +221,7 @@ void ScenePanel::refresh()
         const MapController &map = context().map;
         mTable->setFigures(
             kind(), sceneFigures(*document(), kind(),
-                                 map.figuresAreFresh() ? map.figures()->metrics.chartSymDirichlet : unknown));
+                                 map.figuresAreFresh() ? map.figures()->islandDistortion : unknown));
     } else if (mHiddenStale) {
         std::vector<SceneFigures> figures = mTable->figures();
         countHidden(*document(), figures);

@@ -212,7 +212,8 @@ void SoupBuilder::addNotes(Scene &scene) const
                 .arg(mBrokenColors));
     if (!mInstancedMeshes.empty())
         scene.notes.push_back(QStringLiteral("%1 mesh(es) appear at several nodes and have one map in the "
-                                             "file: saved as glTF, that of the first node is used")
+                                             "file: saved as glTF, that of the first node is used, unless they are "
+                                             "made unique")
                                   .arg(mInstancedMeshes.size()));
 }
 
