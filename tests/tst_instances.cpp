@@ -94,9 +94,9 @@ private Q_SLOTS:
     {
         Document &document = *mSession->document();
         UvMatrix uv = document.uv();
-        uv.topRows(8) *= 0.5;                            // the map of the file
-        uv.bottomRows(4).array() += 3;                   // a quad of the other object lies apart
-        uv.middleRows(8, 4).col(0).array() += 0.75;      // and its other quad on the border of a tile
+        uv.topRows(8) *= 0.5;                       // the map of the file
+        uv.bottomRows(4).array() += 3;              // a quad of the other object lies apart
+        uv.middleRows(8, 4).col(0).array() += 0.75; // and its other quad on the border of a tile
         QVERIFY(pushCommand(newMapCommand(document, UvEdit::Move, uv)));
         QVERIFY(mSession->measured());
         QCOMPARE(document.islands().count(), 3);

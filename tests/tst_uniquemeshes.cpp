@@ -24,12 +24,14 @@ namespace {
 //! Three objects with one mesh, the last one mirrored, and one with a mesh of its own.
 QByteArray fbx(const fbxfiles::Kind &kind)
 {
-    const auto mesh = [] { return fbxfiles::quads({fbxfiles::uvElement(0, "UVMap"), fbxfiles::layer(0, {0})}); };
-    return fbxfiles::model(
-        kind, {{"One", mesh()},
-               {"Two", {}, {fbxfiles::property(kind, "Lcl Translation", {9, 0, 0})}},
-               {"Three", {}, {fbxfiles::property(kind, "Lcl Scaling", {-1, 1, 1})}},
-               {"Other", mesh(), {fbxfiles::property(kind, "Lcl Translation", {0, 9, 0})}}});
+    const auto mesh = [] {
+        return fbxfiles::quads({fbxfiles::uvElement(0, "UVMap"), fbxfiles::layer(0, {0})});
+    };
+    return fbxfiles::model(kind,
+                           {{"One", mesh()},
+                            {"Two", {}, {fbxfiles::property(kind, "Lcl Translation", {9, 0, 0})}},
+                            {"Three", {}, {fbxfiles::property(kind, "Lcl Scaling", {-1, 1, 1})}},
+                            {"Other", mesh(), {fbxfiles::property(kind, "Lcl Translation", {0, 9, 0})}}});
 }
 
 //! Two geometries in three nodes; one node is in another, and stands behind it in the text.
@@ -154,7 +156,8 @@ private Q_SLOTS:
         QVERIFY(saveAtomically(in, fbx({})).ok());
         Scene scene = readMesh(in, nullptr, height).value();
         const int corners = scene.mesh->cornerCount() / 4;
-        scene.uvSets[0].uv.middleRows(corners, corners) = newUv(*scene.mesh).topRows(corners); // the second one
+        scene.uvSets[0].uv.middleRows(corners, corners) =
+            newUv(*scene.mesh).topRows(corners); // the second one
         QVERIFY(writeMesh(scene, out, height).ok());
         const Scene written = readMesh(out, nullptr, height).value();
         QVERIFY(sameMap(written, asWritten(scene, u"fbx"_s, height)));

@@ -345,7 +345,8 @@ private:
         if (const Result<Done> written = writeOutput(mapped); !written)
             return fail(written.error());
         const PackingSettings &packing = mOptions.unwrap.packing;
-        const Scene scene = asWritten(mapped, QFileInfo(mOptions.output).suffix().toLower(), packing.tileHeight());
+        const Scene scene =
+            asWritten(mapped, QFileInfo(mOptions.output).suffix().toLower(), packing.tileHeight());
         const std::vector<IslandFlags> flags = withInstanceStacks(scene, mFiles.islandFlags());
         MapReport report = reportOn(scene, flags, packing);
         report.input = mOptions.input;

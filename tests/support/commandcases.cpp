@@ -2,11 +2,11 @@
 
 #include "commands/editmapseams.h"
 #include "commands/edittextures.h"
-#include "commands/makeunique.h"
 #include "commands/edituvsets.h"
 #include "commands/hidefaces.h"
 #include "commands/islandtransform.h"
 #include "commands/keepstraight.h"
+#include "commands/makeunique.h"
 #include "commands/newmap.h"
 #include "commands/reset.h"
 #include "commands/setislandtag.h"

@@ -16,16 +16,18 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace autocuts {
 
 namespace {
 
-//! The values that have a type; null when there are none. Assimp's copier ends the program at others, such as
-//! the range of a light that a glTF file does not say.
+//! The values that are not lists of their own; null when there are none. Assimp's copier ends the program at
+//! lists, such as the extensions of a node of a glTF file.
 aiMetadata *copyOf(const aiMetadata *from)
 {
     if (!from)
@@ -33,7 +35,7 @@ aiMetadata *copyOf(const aiMetadata *from)
     auto copy = std::make_unique<aiMetadata>(*from);
     unsigned kept = 0;
     for (unsigned i = 0; i < copy->mNumProperties; ++i) {
-        if (!copy->mValues[i].mData)
+        if (!copy->mValues[i].mData || copy->mValues[i].mType > AI_AIVECTOR3D)
             continue;
         std::swap(copy->mKeys[kept], copy->mKeys[i]);
         std::swap(copy->mValues[kept++], copy->mValues[i]);

@@ -135,8 +135,7 @@ void FbxEditor::setInteger(int node, std::int64_t value, std::size_t index)
     const std::vector<FbxValue> values = mTree.values(node, index + 1);
     if (values.size() <= index || values[index].kind != FbxValue::Kind::Integer)
         return;
-    mEdits.push_back(
-        {values[index].begin, values[index].end, {}, withInteger(values[index], value), {}, {}});
+    mEdits.push_back({values[index].begin, values[index].end, {}, withInteger(values[index], value), {}, {}});
 }
 
 QByteArray FbxEditor::copyOf(const Edit &edit, qint64 position) const

@@ -82,7 +82,8 @@ void GeometryCopier::copyFor(int connection, std::int64_t geometry)
     mEditor.addCopy(node, mNext);
     mEditor.setInteger(connection, mNext, 1);
     mCopies[geometry].push_back(mNext);
-    mSize += mTree.nodes[static_cast<std::size_t>(node)].end - mTree.nodes[static_cast<std::size_t>(node)].begin;
+    mSize +=
+        mTree.nodes[static_cast<std::size_t>(node)].end - mTree.nodes[static_cast<std::size_t>(node)].begin;
     ++mCount;
 }
 

@@ -454,7 +454,8 @@ void FileController::exportLayout(const std::vector<LayoutPicture> &pictures, co
     const QString &path = pictures.front().path;
     const bool started = mJobs.start(
         tr("Drawing %1").arg(QFileInfo(path).fileName()),
-        [scene = sceneForWriting(*document), faces, pictures, options, kept = filesToKeep()](JobControl &job) {
+        [scene = sceneForWriting(*document), faces, pictures, options,
+         kept = filesToKeep()](JobControl &job) {
             const Scene file = asWritten(scene, scene.format, options.tileHeight);
             const UvMatrix uv = withoutOtherFaces(*file.mesh, file.uvSets.front().uv, faces);
             QStringList paths;

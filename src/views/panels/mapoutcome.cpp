@@ -74,9 +74,10 @@ MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double
             return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Texel densities differ."), "uv.density");
     }
     if (!m.chartsOffTile.empty() && !figures.islandsOffTile.empty())
-        return {what + QStringLiteral(". ") +
-                    OutcomeTexts::tr("Not in one tile as a whole: %1.").arg(offTileText(figures.islandsOffTile)),
-                "uv.pack"};
+        return {
+            what + QStringLiteral(". ") +
+                OutcomeTexts::tr("Not in one tile as a whole: %1.").arg(offTileText(figures.islandsOffTile)),
+            "uv.pack"};
     if (m.minGutterTexels < fewestGutterTexels || m.uvMin.minCoeff() < -tolerance)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Not packed."), "uv.pack");
     return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Ready."), "file.exportMesh");

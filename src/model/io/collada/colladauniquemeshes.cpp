@@ -81,7 +81,8 @@ void findUrls(const ColladaFile &file, std::string_view text, const std::vector<
                 continue;
             eachUrl(scene, [&](std::string_view url) {
                 if (url.starts_with('#'))
-                    urls[resolved(url.substr(1))].push_back(static_cast<std::size_t>(url.data() - text.data()));
+                    urls[resolved(url.substr(1))].push_back(
+                        static_cast<std::size_t>(url.data() - text.data()));
             });
         }
     }

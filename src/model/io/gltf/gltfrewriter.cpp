@@ -122,12 +122,11 @@ std::vector<std::vector<const GltfPiece *>> GltfRewriter::groupedPieces() const
             continue;
         const Json &primitive = oldPrimitive(piece);
         const Json &extensions = member(primitive, "extensions");
-        // Copies of a mesh get vertices of their own where their UVs differ: together each would have all.
-        const std::string copy =
-            piece.mesh >= mSource.firstCopy ? "copy " + std::to_string(piece.mesh) : std::string();
-        const std::string key = copy + member(primitive, "attributes").dump() + member(primitive, "targets").dump() +
-                                member(extensions, "KHR_draco_mesh_compression").dump() +
-                                member(extensions, "EXT_mesh_features").dump();
+        std::string key = member(primitive, "attributes").dump() + member(primitive, "targets").dump() +
+                          member(extensions, "KHR_draco_mesh_compression").dump() +
+                          member(extensions, "EXT_mesh_features").dump();
+        if (piece.mesh >= mSource.firstCopy) // or each copy would have the vertices of all
+            key += std::to_string(piece.mesh);
         const auto [place, isNew] = known.try_emplace(key, groups.size());
         if (isNew)
             groups.emplace_back();
