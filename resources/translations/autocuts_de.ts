@@ -1800,8 +1800,8 @@
         <translation>Sperrt alle Inseln der Kacheln der gewählten Inseln, oder entsperrt sie, wenn alle gesperrt sind</translation>
     </message>
     <message>
-        <source>Make meshes uni&amp;que</source>
-        <translation>Meshes ei&amp;genständig machen</translation>
+        <source>&amp;Make meshes unique</source>
+        <translation>&amp;Meshes eigenständig machen</translation>
     </message>
     <message>
         <source>Give each object that shares a mesh with others in the file of the model a mesh and a map of its own</source>
