@@ -3,10 +3,13 @@
 #include "commands/journalrecorder.h"
 #include "commands/replay.h"
 #include "commands/setseamstate.h"
+#include "model/io/instances.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
+#include "model/io/savefile.h"
 #include "support/cliruns.h"
 #include "support/editsupport.h"
+#include "support/fbxfiles.h"
 #include "support/overlapmaps.h"
 
 #include <QImage>
@@ -62,6 +65,7 @@ private Q_SLOTS:
     void uvSetsOfASession();
     void replayReproduces();
     void replaySeesADifference();
+    void uniqueMeshes();
     void replayWithoutJournal();
     void whatASessionLostIsSaid_data();
     void whatASessionLostIsSaid();
@@ -315,6 +319,39 @@ void TestCliSession::replayReproduces()
     QCOMPARE(run({u"replay"_s, file(u"b.acproj"_s), u"-o"_s, file(u"c.obj"_s)}).code, 0);
     QCOMPARE(run({u"convert"_s, file(u"b.acproj"_s), u"-o"_s, file(u"d.obj"_s)}).code, 0);
     QCOMPARE(test::readBytes(file(u"c.obj"_s)), test::readBytes(file(u"d.obj"_s)));
+}
+
+//! Objects that share a mesh: figures of a session are those of the file that it will be.
+void TestCliSession::uniqueMeshes()
+{
+    const fbxfiles::Kind kind;
+    const QString in = file(u"twins.fbx"_s), session = file(u"twins.acproj"_s), out = file(u"out.fbx"_s);
+    QVERIFY(saveAtomically(
+                in, fbxfiles::model(
+                        kind,
+                        {{"One", fbxfiles::quads({fbxfiles::uvElement(0, "UVMap"), fbxfiles::layer(0, {0})})},
+                         {"Two", {}, {fbxfiles::property(kind, "Lcl Translation", {9, 0, 0})}}}))
+                .ok());
+    const auto charts = [this](const QString &path) {
+        const test::CliRun checked = run({u"check"_s, path});
+        return checked.out.section(u"charts"_s, 1).simplified().section(u' ', 0, 0);
+    };
+    QCOMPARE(unwrap({in, u"-o"_s, session}).code, 0);
+    QCOMPARE(run({u"convert"_s, session, u"-o"_s, out}).code, 0);
+    QVERIFY(hasSharedMeshes(readMesh(out).value()));
+    QCOMPARE(charts(session), charts(out));
+
+    const QString unique = file(u"unique.acproj"_s);
+    const test::CliRun made = run({u"pack"_s, session, u"-o"_s, unique, u"--make-unique"_s});
+    QVERIFY2(made.code == 0, qPrintable(made.err));
+    QVERIFY(loaded(unique).state.scene.uniqueMeshes);
+    QCOMPARE(run({u"replay"_s, unique}).code, 0);
+    QCOMPARE(run({u"convert"_s, unique, u"-o"_s, out}).code, 0);
+    QVERIFY(!hasSharedMeshes(readMesh(out).value()));
+    QCOMPARE(charts(unique), charts(out));
+    QVERIFY(run({u"check"_s, out}).out.contains(u"no problems"_s));
+    // There is nothing left that it could do.
+    QVERIFY(run({u"convert"_s, out, u"-o"_s, file(u"again.fbx"_s), u"--make-unique"_s}).code == 0);
 }
 
 void TestCliSession::replaySeesADifference()

@@ -152,7 +152,7 @@ void TestCommands::everyIdIsCovered()
         ids.insert(c.make(*document)->id());
     }
     // All but ReplaceModel, which is never in a journal.
-    QCOMPARE(ids.size(), std::size_t(CommandId::EditTextures) - 1);
+    QCOMPARE(ids.size(), std::size_t(CommandId::MakeUnique) - 1);
 }
 
 QTEST_GUILESS_MAIN(TestCommands)

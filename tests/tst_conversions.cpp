@@ -9,6 +9,7 @@
 #include "model/io/picturefiles.h"
 #include "model/io/savefile.h"
 #include "model/io/texturefiles.h"
+#include "support/gltffiles.h"
 
 #include <QImage>
 #include <QJsonArray>
@@ -233,6 +234,9 @@ private Q_SLOTS:
         const QJsonObject json = jsonOf(at(u"v.glb"_s));
         const QJsonObject camera = json[u"cameras"_s].toArray().at(0).toObject()[u"perspective"_s].toObject();
         const double yfov = camera[u"yfov"_s].toDouble();
+        // The file is in centimetres.
+        QVERIFY(std::abs(camera[u"znear"_s].toDouble() - 0.01) < 1e-6);
+        QVERIFY(std::abs(camera[u"zfar"_s].toDouble() - 5) < 1e-4);
         const QJsonObject light =
             json[u"extensions"_s][u"KHR_lights_punctual"_s][u"lights"_s].toArray().at(0).toObject();
         QCOMPARE(light[u"type"_s].toString(), u"spot"_s);
@@ -255,6 +259,48 @@ private Q_SLOTS:
         const QJsonArray lights =
             jsonOf(at(u"w.glb"_s))[u"extensions"_s][u"KHR_lights_punctual"_s][u"lights"_s].toArray();
         QCOMPARE(lights.at(0)[u"type"_s].toString(), u"spot"_s);
+    }
+
+    //! Assimp puts cameras of glTF files at the place of their node once more, multiplies angles, and ends
+    //! the program at nodes with extensions.
+    void viewsOfGltf()
+    {
+        gltffiles::FileBuilder file = gltffiles::grid();
+        file.json["cameras"] = {
+            {{"type", "perspective"},
+             {"perspective", {{"aspectRatio", 1.75}, {"yfov", 0.3}, {"znear", 0.1}, {"zfar", 100}}}}};
+        file.json["extensionsUsed"] = {"KHR_lights_punctual"};
+        const Json lamp{{"type", "point"}, {"intensity", 100}};
+        file.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({lamp});
+        file.json["nodes"].push_back({{"name", "Eye"}, {"camera", 0}, {"translation", {5, 6, 7}}});
+        file.json["nodes"].push_back(
+            {{"name", "Lamp"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+        const std::size_t count = file.json["nodes"].size();
+        file.json["scenes"][0]["nodes"].push_back(count - 2);
+        file.json["scenes"][0]["nodes"].push_back(count - 1);
+        QVERIFY(saveAtomically(at(u"v.glb"_s), file.glb()).ok());
+        const Scene scene = readMesh(at(u"v.glb"_s)).value();
+
+        QVERIFY(writeMesh(scene, at(u"v.dae"_s)).ok());
+        const QByteArray dae = loadFile(at(u"v.dae"_s), 1 << 20).value();
+        const qsizetype wide = dae.indexOf("<xfov");
+        const double xfov = dae.mid(dae.indexOf('>', wide) + 1, 8).split('<').at(0).toDouble();
+        QVERIFY(std::abs(xfov * M_PI / 180 - 2 * std::atan(std::tan(0.15) * 1.75)) < 1e-4);
+
+        QVERIFY(writeMesh(scene, at(u"v.fbx"_s)).ok());
+        QVERIFY(writeMesh(readMesh(at(u"v.fbx"_s)).value(), at(u"w.glb"_s)).ok());
+        const QJsonObject json = jsonOf(at(u"w.glb"_s));
+        const QJsonObject view = json[u"cameras"_s].toArray().at(0)[u"perspective"_s].toObject();
+        QVERIFY(std::abs(view[u"yfov"_s].toDouble() - 0.3) < 1e-4);
+        QVERIFY(std::abs(view[u"znear"_s].toDouble() - 0.1) < 1e-6);
+        for (const QJsonValue &node : json[u"nodes"_s].toArray()) {
+            if (!node[u"camera"_s].isDouble())
+                continue;
+            const QJsonArray matrix = node[u"matrix"_s].toArray(), moved = node[u"translation"_s].toArray();
+            for (int k = 0; k < 3; ++k)
+                QVERIFY(std::abs((moved.isEmpty() ? matrix.at(12 + k) : moved.at(k)).toDouble() - 5 - k) <
+                        1e-4);
+        }
     }
 
     //! Assimp knows nodes by their ids, and takes degrees for radians where only the height of a view is

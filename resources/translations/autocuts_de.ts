@@ -1807,6 +1807,14 @@
         <source>Give the selected islands a tag, take it from them, or select the islands that have one</source>
         <translation>Den ausgewählten Inseln eine Markierung geben, sie ihnen nehmen oder die Inseln auswählen, die eine haben</translation>
     </message>
+    <message>
+        <source>&amp;Make meshes unique</source>
+        <translation>&amp;Meshes eigenständig machen</translation>
+    </message>
+    <message>
+        <source>Give each object that shares a mesh with others in the file of the model a mesh and a map of its own</source>
+        <translation>Gibt jedem Objekt, das sich in der Datei des Modells ein Mesh mit anderen teilt, ein eigenes Mesh und eine eigene Abwicklung</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -1899,10 +1907,6 @@
 <context>
     <name>ExportLosses</name>
     <message>
-        <source>meshes that several nodes share get the UVs of the first node</source>
-        <translation>Meshes, die sich mehrere Knoten teilen, bekommen die UVs des ersten Knotens</translation>
-    </message>
-    <message>
         <source>UV sets that were removed stay in the file: its materials name UV sets by their numbers</source>
         <translation>entfernte UV-Sätze bleiben in der Datei: ihre Materialien nennen UV-Sätze mit Nummern</translation>
     </message>
@@ -1967,10 +1971,6 @@
         <translation>Knotenhierarchie, Lichter und Kameras gehen verloren; Positionen werden in Weltkoordinaten geschrieben</translation>
     </message>
     <message>
-        <source>objects that share a mesh have one map in the file: that of the first one whose UVs were changed is written</source>
-        <translation>Objekte, die sich ein Mesh teilen, haben in der Datei eine Map: geschrieben wird die des ersten, dessen UVs geändert wurden</translation>
-    </message>
-    <message>
         <source>glTF holds triangles only: polygons are split</source>
         <translation>glTF enthält nur Dreiecke: Polygone werden geteilt</translation>
     </message>
@@ -2009,6 +2009,14 @@
     <message>
         <source>comments, groups and smoothing groups of the OBJ file are lost</source>
         <translation>Kommentare, Gruppen und Glättungsgruppen der OBJ-Datei gehen verloren</translation>
+    </message>
+    <message>
+        <source>meshes that several nodes share get the UVs of the first node, unless they are made unique</source>
+        <translation>Meshes, die sich mehrere Knoten teilen, bekommen die UVs des ersten Knotens, außer wenn sie eigenständig gemacht werden</translation>
+    </message>
+    <message>
+        <source>objects that share a mesh have one map in the file: that of the first one whose UVs were changed is written, unless the meshes are made unique</source>
+        <translation>Objekte, die sich ein Mesh teilen, haben in der Datei eine gemeinsame Abwicklung: geschrieben wird die des ersten, dessen UVs geändert wurden, außer wenn die Meshes eigenständig gemacht werden</translation>
     </message>
 </context>
 <context>
@@ -3538,6 +3546,10 @@
         <source>Tear %n edges</source>
         <translation>%n Kanten aufreißen</translation>
     </message>
+    <message>
+        <source>Make meshes unique</source>
+        <translation>Meshes eigenständig machen</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::AboutDialog</name>
@@ -5025,6 +5037,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Islands selected: %1</source>
         <translation>Ausgewählte Inseln: %1</translation>
+    </message>
+    <message>
+        <source>No objects share a mesh in the file of the model</source>
+        <translation>In der Datei des Modells teilen sich keine Objekte ein Mesh</translation>
+    </message>
+    <message>
+        <source>Each object gets a mesh and a map of its own when the model is written</source>
+        <translation>Jedes Objekt bekommt ein eigenes Mesh und eine eigene Abwicklung, wenn das Modell geschrieben wird</translation>
+    </message>
+    <message>
+        <source>The meshes are unique already</source>
+        <translation>Die Meshes sind schon eigenständig</translation>
     </message>
 </context>
 <context>

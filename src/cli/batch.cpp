@@ -194,9 +194,10 @@ private:
         const auto scope = batchScope(mOptions, scene.value());
         if (!scope)
             return fail(scope.error());
-        MapReport report =
-            reportOn(scene.value(), withInstanceStacks(scene.value(), mFiles.islandFlags()),
-                     mOptions.unwrap.packing, scope.value() ? scope.value()->faces : std::vector<bool>());
+        const PackingSettings &packing = mOptions.unwrap.packing;
+        const Scene file = asWritten(scene.value(), scene->format, packing.tileHeight());
+        MapReport report = reportOn(file, withInstanceStacks(file, mFiles.islandFlags()), packing,
+                                    scope.value() ? scope.value()->faces : std::vector<bool>());
         report.input = mOptions.input;
         if (mOptions.json) {
             report.status = QStringLiteral("done");
@@ -344,7 +345,8 @@ private:
         if (const Result<Done> written = writeOutput(mapped); !written)
             return fail(written.error());
         const PackingSettings &packing = mOptions.unwrap.packing;
-        const Scene scene = asWritten(mapped, QFileInfo(mOptions.output).suffix().toLower());
+        const Scene scene =
+            asWritten(mapped, QFileInfo(mOptions.output).suffix().toLower(), packing.tileHeight());
         const std::vector<IslandFlags> flags = withInstanceStacks(scene, mFiles.islandFlags());
         MapReport report = reportOn(scene, flags, packing);
         report.input = mOptions.input;

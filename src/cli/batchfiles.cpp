@@ -2,10 +2,12 @@
 
 #include "commands/changesettings.h"
 #include "commands/edituvsets.h"
+#include "commands/makeunique.h"
 #include "commands/newmap.h"
 #include "model/document/givenseams.h"
 #include "model/document/makesnapshot.h"
 #include "model/io/exportlosses.h"
+#include "model/io/instances.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/io/projectscene.h"
@@ -67,6 +69,8 @@ Result<Scene> BatchFiles::read(const CliOptions &options, const std::atomic<bool
         return found.error();
     if (const Result<Done> chosen = chooseUvSet(options); !chosen)
         return chosen.error();
+    if (options.makeUnique)
+        makeUnique();
     Scene scene = activeFirst();
     scene.notes.insert(scene.notes.end(), mNotes.begin(), mNotes.end());
     return scene;
@@ -96,6 +100,16 @@ Result<Done> BatchFiles::readFile(const CliOptions &options, const std::atomic<b
     mDocument = std::make_unique<Document>(std::move(project->state));
     mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(project->extras.journal));
     return Done();
+}
+
+void BatchFiles::makeUnique()
+{
+    if (!hasSharedMeshes(mDocument ? mDocument->state().scene : mOriginal))
+        mNotes << QStringLiteral("no objects share a mesh that could be made unique");
+    else if (mDocument)
+        pushCommand(std::make_unique<MakeUnique>(*mDocument));
+    else
+        mOriginal.uniqueMeshes = true;
 }
 
 Result<Done> BatchFiles::chooseUvSet(const CliOptions &options)

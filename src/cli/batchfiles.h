@@ -60,6 +60,7 @@ public:
 
 private:
     Result<Done> readFile(const CliOptions &options, const std::atomic<bool> *stop);
+    void makeUnique();
     Result<Done> chooseUvSet(const CliOptions &options);
     Scene activeFirst() const;
     Result<Done> writeSession(const Scene &scene, const CliOptions &options);

@@ -33,6 +33,7 @@ enum class OptionGroup {
     Lighting = 524288,      //!< light that is baked
     Converting = 1048576,   //!< what is written although something is lost
     KeepingTiles = 2097152, //!< whether the islands of several tiles stay in them
+    Sharing = 4194304,      //!< whether objects share meshes in the written file
     Everything = 128        //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

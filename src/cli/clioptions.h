@@ -88,6 +88,7 @@ struct CliOptions
     QString report;             //!< path of a .json file; empty for none
     bool json = false;          //!< check: print the figures as JSON
     bool force = false;         //!< convert: write a session although the one that is read is damaged
+    bool makeUnique = false;    //!< objects that share a mesh in the file get one each
     double timeLimit = 0;       //!< seconds of wall time; 0 for none
     bool quiet = false;
     QString from;       //!< transfer: a mesh file or session; empty: the input

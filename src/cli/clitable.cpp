@@ -346,27 +346,27 @@ const std::vector<CliCommand> &cliCommands()
     static const std::vector<CliCommand> commands{
         {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed,
          Bound | Seaming | Solving | Texture | Packing | Scope | Bordering | Tiling | UvSets | NewUvSets |
-             Making | Limiting,
+             Sharing | Making | Limiting,
          u"make a UV map"_s},
         {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed,
          Texture | Packing | Placing | Scope | Bordering | Tiling | KeepingTiles | UvSets | NewUvSets |
-             Making | Limiting,
+             Sharing | Making | Limiting,
          u"arrange the islands of an existing map anew"_s},
         {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed,
          Texture | Packing | Separating | Scope | Bordering | Tiling | KeepingTiles | UvSets | NewUvSets |
-             Making | Limiting,
+             Sharing | Making | Limiting,
          u"cut islands that overlap themselves, then pack"_s},
         {Command::Lightmap, u"lightmap"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | KeepingTiles | UvSets | NewUvSets | Making | Limiting,
+         Texture | Packing | KeepingTiles | UvSets | NewUvSets | Sharing | Making | Limiting,
          u"add a UV set for lightmaps, called Lightmap: the islands of the map without overlaps, stacks "
          u"taken "
          "apart, at one texel density"_s},
         {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed,
          Bound | Seaming | Texture | Packing | Scope | Bordering | Tiling | KeepingTiles | UvSets |
-             NewUvSets | Making | Limiting,
+             NewUvSets | Sharing | Making | Limiting,
          u"make a half-solved map usable: seams decided, no overlaps, within the bound"_s},
         {Command::Transfer, u"transfer"_s, u"IN"_s, Output::Needed,
-         Transferring | Texture | Scope | Bordering | UvSets | NewUvSets | Making | Limiting,
+         Transferring | Texture | Scope | Bordering | UvSets | NewUvSets | Sharing | Making | Limiting,
          u"give the model the UVs of another file, UV set or object, also of another resolution"_s},
         {Command::Bake, u"bake"_s, u"IN"_s, Output::Needed, Baking | Texture | UvSets | Limiting,
          u"bake normals, occlusion and more into pictures for the UV map; -o is their folder"_s},
@@ -377,7 +377,7 @@ const std::vector<CliCommand> &cliCommands()
          "for the UV map"_s},
         {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Scope | UvSets | Measuring,
          u"measure a map and say what is wrong with it"_s},
-        {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets | Converting,
+        {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets | Sharing | Converting,
          u"write another file format; OBJ to OBJ, FBX to FBX and glTF to glTF change nothing"_s},
         {Command::Replay,
          u"replay"_s,
@@ -409,6 +409,9 @@ const std::vector<CliOption> &cliOptions()
         all.push_back(separatingOption());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,
                            u"print the figures as JSON"_s));
+        all.push_back(flag(Group::Sharing, u"--make-unique"_s, fieldOf(&CliOptions::makeUnique), true,
+                           u"objects that share a mesh in the file get one each, with a map of its own; "
+                           "otherwise FBX, glTF and Collada files have one map for all of them"_s));
         all.push_back(flag(Group::Converting, u"--force"_s, fieldOf(&CliOptions::force), true,
                            u"make a session also of a damaged one, without what that has lost"_s));
         all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,

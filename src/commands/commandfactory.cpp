@@ -9,6 +9,7 @@
 #include "commands/edituvsets.h"
 #include "commands/hidefaces.h"
 #include "commands/keepstraight.h"
+#include "commands/makeunique.h"
 #include "commands/reset.h"
 #include "commands/setislandflags.h"
 #include "commands/setislandtag.h"
@@ -26,7 +27,7 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
 {
     CborReader reader(map);
     const auto id =
-        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::EditTextures)));
+        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::MakeUnique)));
     switch (id) {
     case CommandId::SetSeamState:
         return SetSeamState::fromCbor(document, reader);
@@ -66,6 +67,8 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
         return HideFaces::fromCbor(document, reader);
     case CommandId::EditTextures:
         return EditTextures::fromCbor(document, reader);
+    case CommandId::MakeUnique:
+        return std::unique_ptr<DocumentCommand>(std::make_unique<MakeUnique>(document));
     case CommandId::ReplaceModel: // never in a journal
         break;
     }

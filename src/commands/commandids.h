@@ -23,7 +23,8 @@ enum class CommandId {
     KeepStraight = 17,
     SetTexelWeights = 18,
     HideFaces = 19,
-    EditTextures = 20
+    EditTextures = 20,
+    MakeUnique = 21
 };
 
 } // namespace autocuts

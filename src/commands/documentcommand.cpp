@@ -172,6 +172,11 @@ void DocumentCommand::setTextureSets(const std::vector<TextureSet> &sets)
     mDocument.setTextureSets(sets);
 }
 
+void DocumentCommand::setUniqueMeshes(bool unique)
+{
+    mDocument.setUniqueMeshes(unique);
+}
+
 void DocumentCommand::setSolveSettings(const SolveSettings &settings)
 {
     mDocument.setSolveSettings(settings);

@@ -85,6 +85,7 @@ protected:
     void setTag(const QString &name, const QList<int> &faces);
     void setHiddenFaces(const QList<int> &faces);
     void setTextureSets(const std::vector<TextureSet> &sets);
+    void setUniqueMeshes(bool unique);
     void setSolveSettings(const SolveSettings &settings);
     void setPackingSettings(const PackingSettings &settings);
     void insertUvSet(int index, UvSet set, double scale);

@@ -6,6 +6,7 @@
 #include "commands/hidefaces.h"
 #include "commands/islandtransform.h"
 #include "commands/keepstraight.h"
+#include "commands/makeunique.h"
 #include "commands/newmap.h"
 #include "commands/reset.h"
 #include "commands/setislandtag.h"
@@ -506,6 +507,11 @@ std::vector<Case> markCases()
          "Add 1 texture",
          {u"textures"_s},
          textures({})},
+        {"make unique",
+         [](Document &d) { return std::make_unique<MakeUnique>(d); },
+         "Make meshes unique",
+         {u"shared meshes"_s},
+         nullptr},
         {"untag", tag(u"skin"_s, {0}, false), "Untag 1 island", {u"tag skin"_s}, tag(u"metal"_s, {0}, false)},
     };
 }

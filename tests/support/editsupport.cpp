@@ -107,6 +107,8 @@ QString eventText(const ChangeEvent &event)
         return u"hidden"_s;
     case ChangeEvent::Type::Textures:
         return u"textures"_s;
+    case ChangeEvent::Type::SharedMeshes:
+        return u"shared meshes"_s;
     case ChangeEvent::Type::SolveSettings:
         return u"solve %1"_s.arg(static_cast<const SolveSettingsEvent &>(event).properties);
     case ChangeEvent::Type::PackingSettings:

@@ -24,7 +24,8 @@ struct ChangeEvent
         SolveSettings,
         PackingSettings,
         TexelWeight,
-        Textures
+        Textures,
+        SharedMeshes
     };
 
     const Type type;
@@ -139,6 +140,12 @@ struct HiddenEvent final : ChangeEvent
 struct TexturesEvent final : ChangeEvent
 {
     TexturesEvent() : ChangeEvent(Type::Textures) {}
+};
+
+//! Whether objects share meshes in the written file changed.
+struct SharedMeshesEvent final : ChangeEvent
+{
+    SharedMeshesEvent() : ChangeEvent(Type::SharedMeshes) {}
 };
 
 //! Settings of the solver changed.

@@ -74,6 +74,7 @@ void Document::announce(const ChangeEvent &event)
         mToken.layout = newRevision();
         break;
     case ChangeEvent::Type::Textures:
+    case ChangeEvent::Type::SharedMeshes:
     case ChangeEvent::Type::Hidden: // no result depends on it
         break;
     }
@@ -155,6 +156,14 @@ void Document::setTextureSets(const std::vector<TextureSet> &sets)
         return;
     mState.textureSets = sets;
     announce(TexturesEvent());
+}
+
+void Document::setUniqueMeshes(bool unique)
+{
+    if (unique == mState.scene.uniqueMeshes)
+        return;
+    mState.scene.uniqueMeshes = unique;
+    announce(SharedMeshesEvent());
 }
 
 QString Document::validate() const

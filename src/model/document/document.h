@@ -103,6 +103,7 @@ private:
     void setHiddenFaces(const QList<int> &faces);
     //! \pre they are valid, see DocumentState::textureSets
     void setTextureSets(const std::vector<TextureSet> &sets);
+    void setUniqueMeshes(bool unique);
     void setSolveSettings(const SolveSettings &settings);
     void setPackingSettings(const PackingSettings &settings);
     void insertUvSet(int index, UvSet set, double scale);

@@ -37,7 +37,7 @@ bool sameScene(const Scene &a, const Scene &b)
            a.faceMaterial == b.faceMaterial && a.materialColors == b.materialColors &&
            a.materialTextures == b.materialTextures && a.materialSets == b.materialSets &&
            a.hardEdges == b.hardEdges && sameColors(a.cornerColors, b.cornerColors) &&
-           sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
+           sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes && a.uniqueMeshes == b.uniqueMeshes;
 }
 
 QString validateMaterials(const Scene &scene)

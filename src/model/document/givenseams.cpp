@@ -74,6 +74,7 @@ bool changesGivenSeams(const ChangeEvent &event)
     case ChangeEvent::Type::Tag:
     case ChangeEvent::Type::Hidden:
     case ChangeEvent::Type::Textures:
+    case ChangeEvent::Type::SharedMeshes:
     case ChangeEvent::Type::PackingSettings:
     case ChangeEvent::Type::TexelWeight:
         return false;

@@ -35,6 +35,7 @@ public:
     {
         findPlacement();
         mTo.scene = std::move(scene);
+        mTo.scene.uniqueMeshes = from.scene.uniqueMeshes;
         mReport.sameTopology = mMatch.sameTopology;
         std::vector<bool> known(static_cast<std::size_t>(mAfter.faceCount()), false);
         for (int face : mMatch.face) {

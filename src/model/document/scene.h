@@ -52,6 +52,8 @@ struct Scene
     std::shared_ptr<const CornerColors> cornerColors;
     std::vector<UvSet> uvSets; //!< the first one is the active one
     std::shared_ptr<const SceneSource> source;
+    //! Objects that share a mesh in the file get a mesh of their own when that is written again.
+    bool uniqueMeshes = false;
     std::vector<QString> notes; //!< what the reader skipped or repaired, one line each
 
     //! True when at least one corner of the active UV set has a finite UV.

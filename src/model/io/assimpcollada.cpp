@@ -41,6 +41,10 @@ double numberIn(const XmlElement &parent, std::string_view name)
 
 void setView(aiCamera &camera, const XmlElement &perspective)
 {
+    if (const double near = numberIn(perspective, "znear"); near > 0)
+        camera.mClipPlaneNear = static_cast<float>(near);
+    if (const double far = numberIn(perspective, "zfar"); far > 0)
+        camera.mClipPlaneFar = static_cast<float>(far);
     const auto halfTangent = [&](std::string_view name) {
         const double angle = numberIn(perspective, name);
         return angle > 0 && angle < 180 ? std::tan(angle * std::numbers::pi / 360) : 0;

@@ -10,6 +10,7 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <fstream>
@@ -155,6 +156,20 @@ void dropChannelsWithoutNode(aiScene &scene)
     }
 }
 
+//! Assimp gives the cameras of glTF files the place of their node once more, and a width that is not that of
+//! their height: it multiplies angles.
+void mendGltfCameras(aiScene &scene)
+{
+    for (unsigned c = 0; c < scene.mNumCameras; ++c) {
+        aiCamera &camera = *scene.mCameras[c];
+        camera.mPosition = {};
+        if (!(camera.mAspect > 0))
+            camera.mAspect = 1; // as Assimp takes it
+        const float height = camera.mHorizontalFOV / camera.mAspect;
+        camera.mHorizontalFOV = 2 * std::atan(std::tan(height / 2) * camera.mAspect);
+    }
+}
+
 } // namespace
 
 void importWithAssimp(const std::string &path, std::FILE *out, void (*finish)(int code))
@@ -167,6 +182,8 @@ void importWithAssimp(const std::string &path, std::FILE *out, void (*finish)(in
             dropChannelsWithoutNode(*scene);
             if (suffixOf(path) == "dae")
                 completeColladaNodes(*scene, asUtf8(contentOf(path)));
+            if (suffixOf(path) == "glb" || suffixOf(path) == "gltf")
+                mendGltfCameras(*scene);
             writeAssimpScene(*scene, out);
             finish(readerexit::done);
         }

@@ -102,6 +102,12 @@ void placeScene(aiScene &scene, const Eigen::Matrix4d &placement)
         placeNode(scene, root, matrix);
     for (unsigned c = 0; plain && c < root.mNumChildren; ++c)
         placeNode(scene, *root.mChildren[c], matrix);
+    const auto scale = static_cast<float>(std::cbrt(std::abs(placement.topLeftCorner<3, 3>().determinant())));
+    for (unsigned c = 0; c < scene.mNumCameras; ++c) {
+        aiCamera &camera = *scene.mCameras[c];
+        for (float *length : {&camera.mClipPlaneNear, &camera.mClipPlaneFar, &camera.mOrthographicWidth})
+            *length *= scale;
+    }
 }
 
 void turnViews(aiScene &scene)

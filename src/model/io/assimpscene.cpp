@@ -16,13 +16,33 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace autocuts {
 
 namespace {
+
+//! The values that are not lists of their own; null when there are none. Assimp's copier ends the program at
+//! lists, such as the extensions of a node of a glTF file.
+aiMetadata *copyOf(const aiMetadata *from)
+{
+    if (!from)
+        return nullptr;
+    auto copy = std::make_unique<aiMetadata>(*from);
+    unsigned kept = 0;
+    for (unsigned i = 0; i < copy->mNumProperties; ++i) {
+        if (!copy->mValues[i].mData || copy->mValues[i].mType > AI_AIVECTOR3D)
+            continue;
+        std::swap(copy->mKeys[kept], copy->mKeys[i]);
+        std::swap(copy->mValues[kept++], copy->mValues[i]);
+    }
+    copy->mNumProperties = kept;
+    return kept > 0 ? copy.release() : nullptr;
+}
 
 //! Copies the node tree without its meshes; also returns the copies in depth-first order.
 aiNode *copyTree(const aiNode &from, std::vector<aiNode *> &order)
@@ -31,8 +51,7 @@ aiNode *copyTree(const aiNode &from, std::vector<aiNode *> &order)
     order.push_back(node);
     node->mName = from.mName;
     node->mTransformation = from.mTransformation;
-    if (from.mMetaData)
-        node->mMetaData = new aiMetadata(*from.mMetaData);
+    node->mMetaData = copyOf(from.mMetaData);
     if (from.mNumChildren > 0)
         node->mChildren = new aiNode *[from.mNumChildren];
     for (unsigned c = 0; c < from.mNumChildren; ++c) {
@@ -305,8 +324,7 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     const aiScene &from = *source.scene;
     borrow(from);
     makeMaterials(scene, &from);
-    if (from.mMetaData)
-        mScene->mMetaData = new aiMetadata(*from.mMetaData);
+    mScene->mMetaData = copyOf(from.mMetaData);
 
     const bool sameColors = isGltfFormat(scene.format) == mOptions.linearColors;
     const auto toFile = sameColors ? nullptr : mOptions.linearColors ? linearFromSrgb : srgbFromLinear;

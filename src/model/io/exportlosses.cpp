@@ -4,6 +4,7 @@
 #include "model/io/collada/colladasource.h"
 #include "model/io/fbxrewriter.h"
 #include "model/io/fbxtwin.h"
+#include "model/io/fbxuniquemeshes.h"
 #include "model/io/gltf/gltfwriter.h"
 #include "model/io/materiallooks.h"
 #include "model/io/objsource.h"
@@ -129,10 +130,10 @@ QStringList fbxLosses(const FbxSource &source, const QString &format)
 
 QStringList unequalInstances(const FbxSource &source, const Scene &scene)
 {
-    if (!hasUnequalInstances(source, scene))
+    if (!hasUnequalInstances(source, scene) || (scene.uniqueMeshes && hasCopyableGeometries(source)))
         return {};
     return {LossTexts::tr("objects that share a mesh have one map in the file: that of the first one whose "
-                          "UVs were changed is written")};
+                          "UVs were changed is written, unless the meshes are made unique")};
 }
 
 } // namespace

@@ -75,14 +75,8 @@ void FbxEditor::remove(int node)
     mEdits.push_back(std::move(edit));
 }
 
-void FbxEditor::insertAt(qint64 position, FbxNewNode node, QByteArray before, QByteArray indent,
-                         QByteArray after)
-{
-    mEdits.push_back(
-        {position, position, std::move(node), std::move(before), std::move(indent), std::move(after)});
-}
-
-void FbxEditor::insertAfter(int sibling, FbxNewNode node)
+//! Inserts behind a node.
+FbxEditor::Edit FbxEditor::behind(int sibling) const
 {
     const FbxNode &n = mTree.nodes[static_cast<std::size_t>(sibling)];
     const QByteArray indent = indentOf(n.begin);
@@ -91,7 +85,23 @@ void FbxEditor::insertAfter(int sibling, FbxNewNode node)
     while (!mStyle.binary && end < mTree.bytes.size() && isSpace(mTree.bytes[end]))
         ++end;
     const bool endsLine = end < mTree.bytes.size() && (mTree.bytes[end] == '\r' || mTree.bytes[end] == '\n');
-    insertAt(!mStyle.binary && endsLine ? end : n.end, std::move(node), mStyle.lineEnd + indent, indent, {});
+    const qint64 position = !mStyle.binary && endsLine ? end : n.end;
+    return {position, position, {}, mStyle.lineEnd + indent, indent, {}};
+}
+
+void FbxEditor::insertAfter(int sibling, FbxNewNode node)
+{
+    Edit edit = behind(sibling);
+    edit.node = std::move(node);
+    mEdits.push_back(std::move(edit));
+}
+
+void FbxEditor::addCopy(int node, std::int64_t number)
+{
+    Edit edit = behind(node);
+    edit.copied = node;
+    edit.number = number;
+    mEdits.push_back(std::move(edit));
 }
 
 void FbxEditor::append(int parent, FbxNewNode node)
@@ -102,30 +112,59 @@ void FbxEditor::append(int parent, FbxNewNode node)
         return;
     }
     const QByteArray outer = indentOf(n.begin);
-    insertAt(n.listEnd, std::move(node), mStyle.lineEnd + outer + '\t', outer + '\t', mStyle.lineEnd + outer);
+    mEdits.push_back({n.listEnd, n.listEnd, std::move(node), mStyle.lineEnd + outer + '\t', outer + '\t',
+                      mStyle.lineEnd + outer});
 }
 
-void FbxEditor::setInteger(int node, int value)
+//! The bytes of an integer, with another value.
+QByteArray FbxEditor::withInteger(const FbxValue &old, std::int64_t value) const
 {
-    const std::vector<FbxValue> first = mTree.values(node, 1);
-    if (first.empty() || first[0].kind != FbxValue::Kind::Integer)
+    if (!mStyle.binary)
+        return QByteArray::number(static_cast<qlonglong>(value));
+    QByteArray bytes = mTree.bytes.sliced(old.begin, old.end - old.begin);
+    char *data = bytes.data() + 1;
+    if (old.type == 'I')
+        putFbxNumber(data, static_cast<std::int32_t>(value), mStyle.bigEndian);
+    else if (old.type == 'L')
+        putFbxNumber(data, value, mStyle.bigEndian);
+    return bytes;
+}
+
+void FbxEditor::setInteger(int node, std::int64_t value, std::size_t index)
+{
+    const std::vector<FbxValue> values = mTree.values(node, index + 1);
+    if (values.size() <= index || values[index].kind != FbxValue::Kind::Integer)
         return;
-    Edit edit{first[0].begin, first[0].end, {}, {}, {}, {}};
-    if (mStyle.binary) {
-        edit.before = mTree.bytes.sliced(edit.begin, edit.end - edit.begin);
-        char *data = edit.before.data() + 1;
-        if (first[0].type == 'I')
-            putFbxNumber<std::int32_t>(data, value, mStyle.bigEndian);
-        else if (first[0].type == 'L')
-            putFbxNumber<std::int64_t>(data, value, mStyle.bigEndian);
-    } else {
-        edit.before = QByteArray::number(value);
+    mEdits.push_back({values[index].begin, values[index].end, {}, withInteger(values[index], value), {}, {}});
+}
+
+QByteArray FbxEditor::copyOf(const Edit &edit, qint64 position) const
+{
+    const FbxNode &node = mTree.nodes[static_cast<std::size_t>(edit.copied)];
+    QByteArray bytes = mTree.bytes.sliced(node.begin, node.end - node.begin);
+    const FbxValue number = mTree.values(edit.copied, 1).at(0);
+    bytes.replace(number.begin - node.begin, number.end - number.begin, withInteger(number, edit.number));
+    if (!mStyle.binary)
+        return edit.before + bytes;
+    // The nodes inside follow their parent, and end before the next one that is not inside.
+    for (auto i = static_cast<std::size_t>(edit.copied);
+         i < mTree.nodes.size() && mTree.nodes[i].begin < node.end; ++i) {
+        if (statedEnd(mTree, mTree.nodes[i]) == 0)
+            continue;
+        char *head = bytes.data() + (mTree.nodes[i].begin - node.begin);
+        const qint64 end = position + mTree.nodes[i].end - node.begin;
+        if (mStyle.wide)
+            putFbxNumber(head, static_cast<std::uint64_t>(end), mStyle.bigEndian);
+        else
+            putFbxNumber(head, static_cast<std::uint32_t>(end), mStyle.bigEndian);
     }
-    mEdits.push_back(std::move(edit));
+    return bytes;
 }
 
 QByteArray FbxEditor::bytesOf(const Edit &edit, qint64 position) const
 {
+    if (edit.copied >= 0)
+        return copyOf(edit, position);
     if (!edit.node)
         return edit.before;
     const QByteArray node = fbxNodeBytes(*edit.node, mStyle, position, edit.indent);

@@ -50,8 +50,11 @@ public:
     void insertAfter(int sibling, FbxNewNode node);
     //! Adds a node at the end of a list. \pre the parent has one
     void append(int parent, FbxNewNode node);
-    //! Changes the first value of a node, which is an integer.
-    void setInteger(int node, int value);
+    //! Adds a copy of a node behind it, with another integer as its first value. \pre copied nodes are not
+    //! changed
+    void addCopy(int node, std::int64_t number);
+    //! Changes a value of a node, which is an integer.
+    void setInteger(int node, std::int64_t value, std::size_t index = 0);
 
     //! The bytes of the file with the changes. The end offsets of a binary file and the alignment of its
     //! footer are set right.
@@ -64,9 +67,13 @@ private:
         qint64 begin = 0, end = 0;
         std::optional<FbxNewNode> node;
         QByteArray before, indent, after; //!< of the node, in text
+        int copied = -1;                  //!< a node that is copied, behind `before`
+        std::int64_t number = 0;          //!< of the copy
     };
     QByteArray indentOf(qint64 position) const;
-    void insertAt(qint64 position, FbxNewNode node, QByteArray before, QByteArray indent, QByteArray after);
+    Edit behind(int sibling) const;
+    QByteArray withInteger(const FbxValue &old, std::int64_t value) const;
+    QByteArray copyOf(const Edit &edit, qint64 position) const;
     QByteArray bytesOf(const Edit &edit, qint64 position) const;
     QByteArray spliced(std::vector<Edit> &edits, std::vector<qint64> &shifts) const;
     void moveEnds(QByteArray &out, const std::vector<Edit> &edits, const std::vector<qint64> &shifts) const;

@@ -261,8 +261,8 @@ void SceneBuilder::addNotes()
             u"the vertex colours of %1 mesh(es) left out: their data are damaged"_s.arg(mDamagedColors));
     if (repeated > 0)
         notes.push_back(
-            u"%1 object(s) share a mesh with another object: the file holds one map for both"_s.arg(
-                repeated));
+            u"%1 object(s) share a mesh with another object: the file holds one map for both, unless the "
+            "meshes are made unique"_s.arg(repeated));
     mObjects.contents.instances = repeated > 0;
     mScene.notes.insert(mScene.notes.begin(), notes.begin(), notes.end());
 }

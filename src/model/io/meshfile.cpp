@@ -10,6 +10,7 @@
 #include "model/io/fbxwriter.h"
 #include "model/io/gltf/gltfreader.h"
 #include "model/io/gltf/gltfwriter.h"
+#include "model/io/instances.h"
 #include "model/io/objreader.h"
 #include "model/io/objwriter.h"
 #include "model/io/savefile.h"
@@ -58,6 +59,10 @@ Scene forAssimp(const Scene &scene)
 Result<Done> writeAs(const Scene &scene, const QString &path)
 {
     const QString suffix = suffixOf(path);
+    if (scene.uniqueMeshes && keepsSharedMeshes(scene, suffix)) {
+        const Result<Scene> unique = withUniqueMeshes(scene);
+        return unique ? writeAs(unique.value(), path) : unique.error();
+    }
     if (suffix == QLatin1String("obj"))
         return writeObj(scene, path);
     const FbxSource *fbx = fbxSourceOf(scene);

@@ -135,6 +135,8 @@ QCborMap sceneMap(const Scene &scene)
         map["materialTextures"_L1] = textureArray(scene.materialTextures);
     if (!scene.materialSets.empty())
         map["materialSets"_L1] = toCbor(scene.materialSets);
+    if (scene.uniqueMeshes)
+        map["uniqueMeshes"_L1] = true;
     return map;
 }
 
@@ -174,6 +176,7 @@ bool readNames(const QCborMap &map, Scene &scene)
     scene.materialSets = readSets(map, std::move(scene.materialSets), scene.materialNames.size());
     scene.faceMaterial = *faceMaterial;
     scene.notes = std::move(named.notes);
+    scene.uniqueMeshes = map.value("uniqueMeshes"_L1).toBool(); // no, in sessions of older programs
     return true;
 }
 

@@ -1,9 +1,11 @@
 #include "views/actions/islandactions.h"
 
 #include "commands/islandtransform.h"
+#include "commands/makeunique.h"
 #include "commands/setislandflags.h"
 #include "commands/setislandtag.h"
 #include "commands/stackislands.h"
+#include "model/io/instances.h"
 #include "model/plain/udimtiles.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/islandfigures.h"
@@ -198,6 +200,14 @@ void IslandActions::connectStacks()
 {
     onTriggered("uv.stackCopies", [this](Document &document) { stack(document); });
     onTriggered("uv.unstackCopies", [this](Document &document) { unstack(document); });
+    onTriggered("uv.makeUnique", [this](Document &document) {
+        if (!hasSharedMeshes(document.state().scene))
+            Q_EMIT said(tr("No objects share a mesh in the file of the model"));
+        else if (pushCommand(std::make_unique<MakeUnique>(document)))
+            Q_EMIT said(tr("Each object gets a mesh and a map of its own when the model is written"));
+        else
+            Q_EMIT said(tr("The meshes are unique already"));
+    });
 }
 
 void IslandActions::stack(Document &document)

@@ -132,6 +132,11 @@ inline constexpr std::array layoutTable{
                QT_TRANSLATE_NOOP("Actions",
                                  "Take the selected islands out of their stacks and lay them beside the map"),
                NeedsPieces},
+    ActionInfo{"uv.makeUnique", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "&Make meshes unique"), "", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Give each object that shares a mesh with others in the file of the model "
+                                 "a mesh and a map of its own"),
+               NeedsDocument},
     ActionInfo{
         "uv.scatter", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "&Randomise..."), "scatter", "",
         QT_TRANSLATE_NOOP("Actions", "Move, turn and scale the selected islands at random, within limits"),

@@ -113,6 +113,7 @@ void SceneContent::documentChanged(const ChangeEvent &event)
     case ChangeEvent::Type::UvSet:
     case ChangeEvent::Type::IslandFlag:
     case ChangeEvent::Type::Tag:
+    case ChangeEvent::Type::SharedMeshes:
     case ChangeEvent::Type::Textures: // ModelPictures reads them
         break;
     case ChangeEvent::Type::Hidden:

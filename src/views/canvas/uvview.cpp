@@ -282,7 +282,7 @@ void UvView::drawOverlay(QPainter &painter)
         drawIslandMarks(painter, rect(), colors, *document, mCamera, options.islandMarks,
                         options.islandNumbers);
     if (document && options.problems && studio().map.figuresAreFresh() && !studio().shownMap.isLive())
-        drawOffTile(painter, colors, *document, mCamera, studio().map.figures()->metrics.chartsOffTile);
+        drawOffTile(painter, colors, *document, mCamera, studio().map.figures()->islandsOffTile);
     if (document && studio().view.tools().pivot == Pivot::Cursor)
         drawCursor(painter, colors, mCamera.toScreen(studio().view.tools().cursor));
     if (document) {

@@ -454,14 +454,16 @@ void FileController::exportLayout(const std::vector<LayoutPicture> &pictures, co
     const QString &path = pictures.front().path;
     const bool started = mJobs.start(
         tr("Drawing %1").arg(QFileInfo(path).fileName()),
-        [mesh = document->state().scene.mesh, uv = withoutOtherFaces(document->mesh(), document->uv(), faces),
-         pictures, options, kept = filesToKeep()](JobControl &job) {
+        [scene = sceneForWriting(*document), faces, pictures, options,
+         kept = filesToKeep()](JobControl &job) {
+            const Scene file = asWritten(scene, scene.format, options.tileHeight);
+            const UvMatrix uv = withoutOtherFaces(*file.mesh, file.uvSets.front().uv, faces);
             QStringList paths;
             for (const LayoutPicture &picture : pictures)
                 paths << picture.path;
             return writeBeside(paths.front(), [&] {
                 const Result<Done> fine = checkOutputs(paths, kept(false));
-                return fine ? writeLayoutPictures(pictures, *mesh, uv, options, &job.stop()) : fine;
+                return fine ? writeLayoutPictures(pictures, *file.mesh, uv, options, &job.stop()) : fine;
             });
         },
         [this, path, count = int(pictures.size())](const Written &made) {
@@ -489,7 +491,7 @@ void FileController::exportReport(const QString &path)
          packing = document->packingSettings(), kept = filesToKeep()](JobControl &job) -> Result<Done> {
             if (Result<Done> fine = checkOutputs({path}, kept(false)); !fine)
                 return fine;
-            const Scene file = asWritten(scene, scene.format);
+            const Scene file = asWritten(scene, scene.format, packing.tileHeight());
             metrics::UvMetricsOptions options;
             options.textureSize = packing.textureSize;
             options.tileHeight = packing.tileHeight();

@@ -4,10 +4,7 @@
 #include "commands/edituvsets.h"
 #include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
-#include "model/io/instances.h"
 #include "model/io/texturefiles.h"
-#include "model/plain/udimtiles.h"
-#include "solver/metrics/uvoverlaps.h"
 #include "solver/overlap/overlapseparation.h"
 #include "views/control/bakejobs.h"
 #include "views/control/carryjobs.h"
@@ -30,8 +27,6 @@ namespace {
 constexpr int measureDelay = 250;
 //! Milliseconds without an edit after which a job begins again. Chosen by hand.
 constexpr int editDelay = 300;
-//! The search for overlapping pairs stops at this number. Chosen by hand.
-constexpr int maxListedOverlaps = 100'000;
 
 //! The document, its active UV set being the first one.
 DocumentState activeFirst(const Document &document)
@@ -41,53 +36,6 @@ DocumentState activeFirst(const Document &document)
     const auto active = sets.begin() + document.activeUvSet();
     std::rotate(sets.begin(), active, active + 1);
     return model;
-}
-
-//! The tiles in use whose islands have one material; empty where there is one tile only.
-std::map<int, int> materialsOfTiles(const Scene &scene, const MeshData &mesh, const UvMatrix &uv,
-                                    double tileHeight)
-{
-    std::map<int, int> materials;
-    const std::vector<int> tiles = udimTiles(mesh, uv, tileHeight);
-    if (usedTiles(tiles).size() < 2)
-        return materials;
-    constexpr int several = -2;
-    for (std::size_t face = 0; face < tiles.size(); ++face) {
-        const int material = face < scene.faceMaterial.size() ? scene.faceMaterial[face] : -1;
-        const auto [found, isNew] = materials.try_emplace(tiles[face], material);
-        if (!isNew && found->second != material)
-            found->second = several;
-    }
-    std::erase_if(materials, [](const auto &tile) { return tile.first == 0 || tile.second < 0; });
-    return materials;
-}
-
-MapFigures measured(const MeshData &mesh, const UvMatrix &uv, const std::vector<IslandFlags> &faceFlags,
-                    const PackingSettings &packing, JobControl &control)
-{
-    MapFigures figures;
-    figures.textureSize = packing.textureSize;
-    figures.textureHeight = packing.height();
-    metrics::UvMetricsOptions options;
-    options.textureSize = packing.textureSize;
-    options.tileHeight = packing.tileHeight();
-    options.faceFlags = faceFlags;
-    options.job = &control.stop();
-    figures.metrics = metrics::measureUv(mesh, uv, options);
-    if (figures.metrics.overlapPairs == 0)
-        return figures;
-    metrics::UvOverlapOptions overlapOptions;
-    overlapOptions.faceFlags = faceFlags;
-    overlapOptions.maxPairs = maxListedOverlaps;
-    overlapOptions.job = &control.stop();
-    overlap::OverlapList overlaps = metrics::findUvOverlaps(mesh, uv, overlapOptions);
-    figures.overlapping = metrics::overlappingTriangles(overlaps);
-    std::stable_sort(
-        overlaps.pairs.begin(), overlaps.pairs.end(),
-        [](const overlap::OverlapPair &a, const overlap::OverlapPair &b) { return a.area > b.area; });
-    for (const overlap::OverlapPair &pair : overlaps.pairs)
-        figures.overlapPairs.push_back({pair.first, pair.second});
-    return figures;
 }
 
 //! The input of a job that may change only these faces.
@@ -149,10 +97,11 @@ MapController::MapController(Workspace &workspace, SolverController &solver, Sho
         const bool stacks = event.type == ChangeEvent::Type::IslandFlag &&
                             (static_cast<const IslandFlagEvent &>(event).properties & IslandFlagEvent::Stack);
         const bool sizes = event.type == ChangeEvent::Type::TexelWeight;
-        mFigureChanges += stacks || sizes;
+        const bool sharing = event.type == ChangeEvent::Type::SharedMeshes;
+        mFigureChanges += stacks || sizes || sharing;
         if (mAgain && mJobs.isBusy())
             mAgainSoon.start();
-        if (textureSize || stacks || sizes || event.type == ChangeEvent::Type::Uv ||
+        if (textureSize || stacks || sizes || sharing || event.type == ChangeEvent::Type::Uv ||
             event.type == ChangeEvent::Type::UvSet) {
             mMeasureSoon.start();
             Q_EMIT figuresChanged();
@@ -563,19 +512,10 @@ void MapController::measure()
     const Document *document = mWorkspace.document();
     if (!document || figuresAreFresh())
         return;
-    const auto mesh = document->weightedMesh();
-    const PackingSettings packing = document->packingSettings();
-    DocumentState model = document->uvSets().empty() ? document->state() : activeFirst(*document);
     mMeasuring.start(
         tr("Measuring"),
-        [mesh, uv = document->uv(), model = std::move(model), packing](JobControl &control) {
-            // Objects that share a mesh have one map in the file, and lie on each other there on purpose.
-            const Scene file = asWritten(model.scene, model.scene.format);
-            const UvMatrix &map = file.hasUv() ? file.uvSets.front().uv : uv;
-            MapFigures figures =
-                measured(*mesh, map, withInstanceStacks(file, model.marks.faceFlags), packing, control);
-            figures.tileMaterial = materialsOfTiles(model.scene, *mesh, map, packing.tileHeight());
-            return figures;
+        [mesh = document->weightedMesh(), model = activeFirst(*document)](JobControl &control) {
+            return measuredMap(model, *mesh, control);
         },
         [this, token = document->token(), figureChanges = mFigureChanges](MapFigures figures) {
             mFigures = std::move(figures);

@@ -3,12 +3,11 @@
 #pragma once
 
 #include "model/document/selection.h"
-#include "model/plain/statetoken.h"
-#include "solver/metrics/uvmetrics.h"
 #include "solver/unwrap/seamprices.h"
 #include "solver/unwrap/unwrapquality.h"
 #include "views/control/jobpreview.h"
 #include "views/control/jobrunner.h"
+#include "views/control/mapfigures.h"
 
 #include <Eigen/Geometry>
 #include <QImage>
@@ -17,7 +16,6 @@
 #include <QTimer>
 
 #include <functional>
-#include <map>
 #include <optional>
 
 namespace autocuts {
@@ -33,19 +31,6 @@ struct TransferChoice;
 struct BakeChoice;
 struct CarryChoice;
 struct LightChoice;
-
-//! The figures of the document's map.
-struct MapFigures
-{
-    StateToken token; //!< token of the measured state
-    int textureSize = 0, textureHeight = 0;
-    int figureChanges = 0; //!< how often stacks and texel weights had changed before
-    metrics::UvMetrics metrics;
-    //! The tiles in use whose islands have one material, with its number; empty where there is one tile only.
-    std::map<int, int> tileMaterial;
-    std::vector<int> overlapping;                 //!< triangles that overlap another one, ascending
-    std::vector<std::array<int, 2>> overlapPairs; //!< pairs of triangles, the largest overlap first
-};
 
 //! Which islands are packed. The others keep their places and are obstacles.
 enum class PackScope { All, Selection };

@@ -40,6 +40,7 @@ QString iconName(int commandId)
     case CommandId::SetIslandFlags:
     case CommandId::SetIslandTag:
     case CommandId::StackIslands:
+    case CommandId::MakeUnique:
         return u"island"_s;
     case CommandId::ChangeSettings:
         return u"preferences"_s;

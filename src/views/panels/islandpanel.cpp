@@ -212,8 +212,8 @@ void IslandPanel::refresh()
     MapController &map = context().map;
     if (mFiguresStale) {
         static const std::vector<double> unknown;
-        mTable->setFigures(islandFigures(
-            *document(), map.figuresAreFresh() ? map.figures()->metrics.chartSymDirichlet : unknown));
+        mTable->setFigures(
+            islandFigures(*document(), map.figuresAreFresh() ? map.figures()->islandDistortion : unknown));
         hideEmptyColumns();
         mFiguresStale = false;
     }

@@ -25,16 +25,16 @@ struct OutcomeTexts
 
 //! The distortion of the islands each at its own scale. It is what unwrapping can change: packing into tiles
 //! by objects, and the user, give islands different sizes, which the distortion of the whole map counts.
-double distortionOfShapes(const Document &document, const metrics::UvMetrics &m)
+double distortionOfShapes(const Document &document, const MapFigures &figures)
 {
     double area = 0, sum = 0;
-    for (const IslandFigures &island : islandFigures(document, m.chartSymDirichlet)) {
+    for (const IslandFigures &island : islandFigures(document, figures.islandDistortion)) {
         if (!std::isfinite(island.distortion))
             continue;
         area += island.areaShare;
         sum += island.areaShare * island.distortion;
     }
-    return area > 0 ? sum / area : m.symDirichlet;
+    return area > 0 ? sum / area : figures.metrics.symDirichlet;
 }
 
 //! Names islands, and the tiles to which they belong.
@@ -67,16 +67,17 @@ MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double
     if (m.overlapPairs > 0)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Faces overlap."), "uv.separate");
     if (m.symDirichlet > bound) {
-        if (distortionOfShapes(document, m) > bound)
+        if (distortionOfShapes(document, figures) > bound)
             return outcome(QT_TRANSLATE_NOOP("MapOutcome", "More stretch than allowed."),
                            "uv.finish"); // keeps the work of the hand
         if (m.tiles.size() < 2 && !document.packingSettings().keepScale)
             return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Texel densities differ."), "uv.density");
     }
-    if (!m.chartsOffTile.empty())
-        return {what + QStringLiteral(". ") +
-                    OutcomeTexts::tr("Not in one tile as a whole: %1.").arg(offTileText(m.chartsOffTile)),
-                "uv.pack"};
+    if (!m.chartsOffTile.empty() && !figures.islandsOffTile.empty())
+        return {
+            what + QStringLiteral(". ") +
+                OutcomeTexts::tr("Not in one tile as a whole: %1.").arg(offTileText(figures.islandsOffTile)),
+            "uv.pack"};
     if (m.minGutterTexels < fewestGutterTexels || m.uvMin.minCoeff() < -tolerance)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Not packed."), "uv.pack");
     return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Ready."), "file.exportMesh");

@@ -219,9 +219,9 @@ void ScenePanel::refresh()
     if (mFiguresStale) {
         static const std::vector<double> unknown;
         const MapController &map = context().map;
-        mTable->setFigures(
-            kind(), sceneFigures(*document(), kind(),
-                                 map.figuresAreFresh() ? map.figures()->metrics.chartSymDirichlet : unknown));
+        mTable->setFigures(kind(),
+                           sceneFigures(*document(), kind(),
+                                        map.figuresAreFresh() ? map.figures()->islandDistortion : unknown));
     } else if (mHiddenStale) {
         std::vector<SceneFigures> figures = mTable->figures();
         countHidden(*document(), figures);

@@ -155,6 +155,7 @@ void keepCollada(Scene &scene)
     std::vector<ColladaPlace> places = PlaceFinder(*file, scene, *assimp).run();
     if (places.empty())
         return;
+    findUrls(*file, textOf(bytes.value()), assimp->pieces, places);
     auto source = std::make_shared<ColladaSource>();
     source->scene = assimp->scene;
     source->pieces = assimp->pieces;
@@ -168,12 +169,14 @@ QStringList colladaLosses(const ColladaSource &source, const Scene &scene)
 {
     QStringList losses;
     std::set<std::pair<std::size_t, std::size_t>> seen;
-    const auto isNew = [&seen](const ColladaPlace &place) {
-        return seen.insert({place.geometry, place.primitive}).second;
+    const auto isNew = [&](const ColladaPlace &place) {
+        const bool unique = scene.uniqueMeshes && place.url > 0;
+        return seen.insert({place.geometry, place.primitive}).second || unique;
     };
     if (!std::all_of(source.places.begin(), source.places.end(), isNew))
         losses << QCoreApplication::translate(
-            "ExportLosses", "meshes that several nodes share get the UVs of the first node");
+            "ExportLosses", "meshes that several nodes share get the UVs of the first node, unless they "
+                            "are made unique");
     if (scene.uvSets.size() < source.uvSets.size())
         losses << QCoreApplication::translate(
             "ExportLosses",

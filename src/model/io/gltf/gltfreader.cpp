@@ -211,9 +211,11 @@ void SoupBuilder::addNotes(Scene &scene) const
                 "the vertex colours of %1 mesh part(s) left out: they are not of three or four numbers")
                 .arg(mBrokenColors));
     if (!mInstancedMeshes.empty())
-        scene.notes.push_back(QStringLiteral("%1 mesh(es) appear at several nodes and have one map in the "
-                                             "file: saved as glTF, that of the first node is used")
-                                  .arg(mInstancedMeshes.size()));
+        scene.notes.push_back(
+            QStringLiteral("%1 mesh(es) appear at several nodes and have one map in the "
+                           "file: saved as glTF, that of the first node is used, unless they are "
+                           "made unique")
+                .arg(mInstancedMeshes.size()));
 }
 
 //! The base colour of a material; 0 when it has none.

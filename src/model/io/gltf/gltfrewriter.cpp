@@ -122,9 +122,11 @@ std::vector<std::vector<const GltfPiece *>> GltfRewriter::groupedPieces() const
             continue;
         const Json &primitive = oldPrimitive(piece);
         const Json &extensions = member(primitive, "extensions");
-        const std::string key = member(primitive, "attributes").dump() + member(primitive, "targets").dump() +
-                                member(extensions, "KHR_draco_mesh_compression").dump() +
-                                member(extensions, "EXT_mesh_features").dump();
+        std::string key = member(primitive, "attributes").dump() + member(primitive, "targets").dump() +
+                          member(extensions, "KHR_draco_mesh_compression").dump() +
+                          member(extensions, "EXT_mesh_features").dump();
+        if (piece.mesh >= mSource.firstCopy) // or each copy would have the vertices of all
+            key += std::to_string(piece.mesh);
         const auto [place, isNew] = known.try_emplace(key, groups.size());
         if (isNew)
             groups.emplace_back();

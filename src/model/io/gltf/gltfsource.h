@@ -5,6 +5,7 @@
 #include "model/io/gltf/gltffile.h"
 #include "model/io/sourcecontents.h"
 
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct GltfSource final : SceneSource
     std::vector<GltfPiece> pieces;   //!< in the order of the nodes; faces are ascending
     std::vector<int> texcoords;      //!< the numbers of the UV sets in the file, ascending
     std::map<int, QString> setNames; //!< of these
+    //! The first mesh that withUniqueMeshes() has added.
+    std::size_t firstCopy = std::numeric_limits<std::size_t>::max();
     GltfContents contents;
 };
 

@@ -277,9 +277,10 @@ QByteArray sourceAsGlb(const GltfSource &source)
 QStringList gltfLosses(const GltfSource &source, const Scene &scene)
 {
     QStringList losses;
-    if (source.contents.instances)
+    if (source.contents.instances && !scene.uniqueMeshes)
         losses << QCoreApplication::translate(
-            "ExportLosses", "meshes that several nodes share get the UVs of the first node");
+            "ExportLosses", "meshes that several nodes share get the UVs of the first node, unless they "
+                            "are made unique");
     if (source.contents.tangents)
         losses << QCoreApplication::translate(
             "ExportLosses", "tangents of changed UVs are left out: programs compute them from the UVs");
