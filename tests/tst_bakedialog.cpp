@@ -49,6 +49,13 @@ struct DialogUser
         edit->selectAll();
         QTest::keyClicks(edit, text);
     }
+    void typeCage(const QString &text) const
+    {
+        auto *number = find<QDoubleSpinBox>("cage")->findChild<QLineEdit *>();
+        number->setFocus();
+        number->selectAll();
+        QTest::keyClicks(number, text);
+    }
     //! Ticks or clears a map by the space bar.
     void toggle(int row) const
     {
@@ -58,6 +65,7 @@ struct DialogUser
         QTest::keyClick(maps, Qt::Key_Space);
     }
     QString problem() const { return find<QLabel>("problem")->text(); }
+    BakeChoice choice() const { return static_cast<BakeDialog &>(dialog).choice(); }
     int bake() const
     {
         QTest::mouseClick(find<QPushButton>("bake"), Qt::LeftButton);
@@ -123,6 +131,7 @@ private Q_SLOTS:
     void picturesAreBaked();
     void everyChoiceIsKept();
     void theCageIsProposed();
+    void theProposalIsBaked();
     void cagesComeFromFiles();
     void problemsAreSaid();
     void cancelEndsIt();
@@ -142,6 +151,7 @@ void TestBakeDialog::picturesAreBaked()
     const DocumentState before = session.document()->state();
     session.bake([&](const DialogUser &user) {
         user.type("high", session.high);
+        user.typeCage(u"2"_s);
         user.toggle(9); // height
         return user.bake();
     });
@@ -189,7 +199,7 @@ void TestBakeDialog::everyChoiceIsKept()
         QTest::mouseClick(user.find<QCheckBox>("putOn"), Qt::LeftButton, {}, {8, 8});
         QTest::mouseClick(user.find<QCheckBox>("byName"), Qt::LeftButton, {}, {8, 8});
         QTest::mouseClick(user.find<QCheckBox>("greenDown"), Qt::LeftButton, {}, {8, 8});
-        first = static_cast<BakeDialog &>(user.dialog).choice();
+        first = user.choice();
         return user.bake();
     });
     QVERIFY(session.jobsRest());
@@ -203,6 +213,7 @@ void TestBakeDialog::everyChoiceIsKept()
     QVERIFY(session.document()->state().textureSets.empty());
     QCOMPARE(first.rays, 5);
     QCOMPARE(first.dilation, 3);
+    QVERIFY(first.ownCage);
     QCOMPARE(first.cage, 0.07);
     QVERIFY(first.byName && first.greenDown);
     QVERIFY(first.direction == BakeChoice::Direction::Shading);
@@ -230,29 +241,62 @@ void TestBakeDialog::everyChoiceIsKept()
     });
 }
 
-//! From the distance of both models, on another thread.
+//! From the distance of both models, on another thread, as soon as there is a detailed one.
 void TestBakeDialog::theCageIsProposed()
 {
     BakeSession session;
     session.bake([&](const DialogUser &user) {
         auto *propose = user.find<QPushButton>("propose");
         auto *cage = user.find<QDoubleSpinBox>("cage");
+        auto *note = user.find<QLabel>("cageNote");
         [&] {
-            QVERIFY(!propose->isEnabled());
+            QVERIFY(!propose->isEnabled() && note->isHidden());
             user.type("high", session.high);
-            QTest::mouseClick(propose, Qt::LeftButton);
-            QVERIFY(!propose->isEnabled());
+            QVERIFY(!propose->isEnabled() && note->text().contains(u"Measuring"_s));
             QTRY_VERIFY_WITH_TIMEOUT(propose->isEnabled(), 60000);
-            // The corners are .01 * sqrt(3) apart, and a fifth is added.
-            QVERIFY2(std::abs(cage->value() - 0.6) < 0.02, qPrintable(QString::number(cage->value())));
+            // The corners are .01 * sqrt(3) apart, and half as much is added.
+            QCOMPARE(cage->value(), 0.75);
+            QVERIFY(note->text().contains(u"Proposed"_s) && note->isVisible());
+            QVERIFY(!user.choice().ownCage);
+            // What is typed stays, until a proposal is asked for.
+            user.typeCage(u"7"_s);
+            QVERIFY(note->isHidden());
+            user.type("high", session.low);
+            user.type("high", session.high);
+            QVERIFY(user.choice().ownCage && propose->isEnabled());
+            QCOMPARE(user.choice().cage, 0.07);
+            QTest::mouseClick(propose, Qt::LeftButton);
+            QTRY_VERIFY_WITH_TIMEOUT(propose->isEnabled(), 60000);
+            QCOMPARE(cage->value(), 0.75);
             session.write(session.high, {test::box(2, Vec3(30, 30, 30)), UvMatrix(0, 2)});
             QTest::mouseClick(propose, Qt::LeftButton);
             QTRY_VERIFY_WITH_TIMEOUT(propose->isEnabled(), 60000);
-            QVERIFY(user.problem().contains(u"nowhere near"_s));
+            QVERIFY(note->text().contains(u"nowhere near"_s));
             QVERIFY(user.find<QPushButton>("bake")->isEnabled());
         }();
         return 0;
     });
+}
+
+//! A bake that begins before the distance is there measures it itself. The height has the cage for its range.
+void TestBakeDialog::theProposalIsBaked()
+{
+    BakeSession session;
+    session.bake([&](const DialogUser &user) {
+        user.type("high", session.high);
+        user.toggle(9); // height
+        return user.bake();
+    });
+    QVERIFY(session.jobsRest());
+    QCOMPARE(session.failed.count(), 0);
+    const Result<Picture> height = readPicture(session.file("low_height.png"));
+    const double expected = 0.5 + 0.5 * 0.01 / (0.0075 * std::sqrt(12.0));
+    QVERIFY(std::abs(height->at(12, 51)[0] - expected) < 0.01);
+    // Out of all reach: said, and baked as without a proposal.
+    session.write(session.high, {test::box(9, Vec3(30, 30, 30)), UvMatrix(0, 2)});
+    session.bake([&](const DialogUser &user) { return user.bake(); });
+    QVERIFY(session.jobsRest());
+    QVERIFY(session.failed.last().first().toString().contains(u"nowhere near"_s));
 }
 
 void TestBakeDialog::cagesComeFromFiles()
