@@ -7,10 +7,12 @@
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"
+#include "views/canvas/uvview.h"
 #include "views/control/bakechoice.h"
 #include "views/control/filecontroller.h"
 #include "views/control/livebake.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/modelpictures.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/bakedialog.h"
 #include "views/state/viewstate.h"
@@ -139,6 +141,7 @@ private Q_SLOTS:
     void whatADamagedSessionLostIsSaid();
     void everyMapHasATitle();
     void liveBakesFollowTheMap();
+    void liveNormalsAreLit();
     void liveColorsGoAlong();
     void liveBakesEnd();
     void liveBakesFillAllTiles();
@@ -464,6 +467,45 @@ void TestBakeDialog::liveBakesFollowTheMap()
     QVERIFY(live.isOn());
 }
 
+//! In the light of the surroundings, which turns; as colours in the UV view. Other maps are shown as they are.
+void TestBakeDialog::liveNormalsAreLit()
+{
+    BakeSession session;
+    LiveBake &live = session.context.liveBake;
+    session.bake([&](const DialogUser &user) {
+        user.type("high", session.high);
+        QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
+        return user.dialog.result();
+    });
+    const auto rests = [&] { return !live.isRefining() && live.updates() > 0; };
+    QTRY_VERIFY_WITH_TIMEOUT(rests() && session.context.pictures.light().environment(), 60000);
+    QVERIFY(live.isLit());
+    const auto middle = [](QWidget &view) {
+        const QImage image = view.grab().toImage();
+        return QColor(image.pixel(image.width() / 2, image.height() / 2));
+    };
+    const auto turnLight = [&](double degrees) {
+        ViewOptions options = session.context.view.options();
+        options.lightTurn = degrees;
+        session.context.view.setOptions(options);
+    };
+    MeshView &model = session.window.meshView();
+    QTRY_VERIFY(middle(model).hsvSaturationF() < 0.2); // not the blue of normals
+    const QColor before = middle(model);
+    turnLight(150);
+    QTRY_VERIFY(std::abs(middle(model).lightnessF() - before.lightnessF()) > 0.01);
+    const QImage map = session.window.uvView().grab().toImage();
+    int blue = 0;
+    for (int y = 0; y < map.height(); y += 4) {
+        for (int x = 0; x < map.width(); x += 4)
+            blue += qBlue(map.pixel(x, y)) > qRed(map.pixel(x, y)) + 60;
+    }
+    QVERIFY2(blue > 500, qPrintable(QString::number(blue)));
+    live.choose(u"height"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(rests(), 60000);
+    QVERIFY(!live.isLit());
+}
+
 //! The pictures that the user chose for the model stay on its faces while its map changes.
 void TestBakeDialog::liveColorsGoAlong()
 {
@@ -548,12 +590,13 @@ void TestBakeDialog::liveBakesFillAllTiles()
     });
     QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0, 60000);
     QCOMPARE(live.pictures().sets.size(), std::size_t(1));
-    const std::map<int, int> expected{{0, 0}, {1, 1}};
+    const std::map<int, int> expected{{0, 0}, {1, 3}}; // three layers each
     QCOMPARE(live.pictures().sets.front().tiles, expected);
-    for (const QImage &picture : live.pictures().images) {
+    for (const std::size_t normals : {1U, 4U}) {
+        const QImage &picture = live.pictures().images[normals];
         QCOMPARE(picture.width(), LiveBake::size);
-        QVERIFY(qBlue(picture.pixel(820, 820)) > 0 || qBlue(picture.pixel(820, 512)) > 0 ||
-                qBlue(picture.pixel(204, 820)) > 0);
+        QVERIFY(qRed(picture.pixel(820, 820)) > 0 || qRed(picture.pixel(820, 512)) > 0 ||
+                qRed(picture.pixel(204, 820)) > 0);
     }
     QCOMPARE(LiveBake::sizeFor(16), LiveBake::size);
     QCOMPARE(LiveBake::sizeFor(17), LiveBake::size / 2);
