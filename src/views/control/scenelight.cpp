@@ -41,7 +41,7 @@ void SceneLight::prepare()
         return self && self->mLoading == stop;
     };
     runOnPool(
-        *QThreadPool::globalInstance(),
+        backgroundPool(),
         [kind = mKind, path, stop = mLoading] {
             Light light;
             Picture panorama;

@@ -302,7 +302,7 @@ void BakeDialog::proposeCage()
     };
     // Not a job of the dialog: that would keep it from closing until the model is read.
     runOnPool(
-        *QThreadPool::globalInstance(),
+        backgroundPool(),
         [model = mModel, high = choice().high, stop = mMeasuring] { return proposedCage(model, high, *stop); },
         [this, isWanted](const Result<double> &cage) {
             if (isWanted())
