@@ -145,6 +145,7 @@ private Q_SLOTS:
     void liveColorsGoAlong();
     void liveBakesEnd();
     void liveBakesFillAllTiles();
+    void whatALiveBakeMissesIsSaid();
     void anotherMapIsShownLive();
 };
 
@@ -253,7 +254,11 @@ void TestBakeDialog::theCageIsProposed()
         auto *cage = user.find<QDoubleSpinBox>("cage");
         auto *note = user.find<QLabel>("cageNote");
         [&] {
-            QVERIFY(!propose->isEnabled() && note->isHidden());
+            QVERIFY(!propose->isEnabled() && note->text().contains(u"Occlusion has no cage"_s));
+            user.toggle(2);
+            QVERIFY(note->isHidden());
+            user.toggle(2);
+            QVERIFY(!note->isHidden());
             user.type("high", session.high);
             QVERIFY(!propose->isEnabled() && note->text().contains(u"Measuring"_s));
             QTRY_VERIFY_WITH_TIMEOUT(propose->isEnabled(), 60000);
@@ -600,6 +605,32 @@ void TestBakeDialog::liveBakesFillAllTiles()
     }
     QCOMPARE(LiveBake::sizeFor(16), LiveBake::size);
     QCOMPARE(LiveBake::sizeFor(17), LiveBake::size / 2);
+}
+
+//! Occlusion is black where rays meet nothing of the detailed model: that is not what there is.
+void TestBakeDialog::whatALiveBakeMissesIsSaid()
+{
+    BakeSession session;
+    const auto show = [&](const QString &cage) {
+        session.failed.clear();
+        session.bake([&](const DialogUser &user) {
+            user.type("high", session.high);
+            if (user.find<QListWidget>("maps")->item(0)->checkState() == Qt::Checked)
+                user.toggle(0); // only occlusion
+            user.typeCage(cage);
+            QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
+            return user.dialog.result();
+        });
+        const LiveBake &live = session.context.liveBake;
+        QVERIFY(live.map() == u"ao"_s);
+        QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 1 && !live.isRefining(), 120000);
+    };
+    show(u"2"_s);
+    QCOMPARE(session.failed.count(), 0);
+    show(u"0.01"_s);
+    QCOMPARE(session.failed.count(), 1); // once, not for each pass
+    const QString said = session.failed.first().first().toString();
+    QVERIFY2(said.contains(u"100.0 % of the surface"_s) && said.contains(u"larger cage"_s), qPrintable(said));
 }
 
 void TestBakeDialog::anotherMapIsShownLive()

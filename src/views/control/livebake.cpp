@@ -209,6 +209,7 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
     mChoice = choice;
     mMap = map;
     mRefining = true;
+    mTold = false;
     mUpdates = 0;
     DocumentState model = document->state();
     // The map comes later, again and again; only the model's own textures need that of the beginning.
@@ -359,12 +360,28 @@ void LiveBake::takeOver(const StopFlag &flag, const std::shared_ptr<const LiveBa
 {
     if (flag != mStop)
         return;
-    if (model->samples)
+    if (model->samples) {
         mModel = model;
+        tellMissed(*model);
+    }
     mRefining = pass < std::ssize(passes);
     if (mRefining)
         refine(model, pass);
     layAgain();
+}
+
+//! There the picture is black.
+void LiveBake::tellMissed(const LiveBakeModel &model)
+{
+    // Single points at borders are not worth a word.
+    constexpr double fewestPercent = 0.1;
+    const double percent =
+        100 * double(model.samples->missed()) / double(std::max(1LL, model.samples->points()));
+    if (std::exchange(mTold, true) || percent < fewestPercent)
+        return;
+    Q_EMIT noticed(tr("%1 % of the surface found nothing of the detailed model and is black: a larger cage "
+                      "reaches farther")
+                       .arg(percent, 0, 'f', 1));
 }
 
 void LiveBake::layAgain()

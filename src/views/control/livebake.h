@@ -70,6 +70,9 @@ public:
 Q_SIGNALS:
     //! isOn(), isRefining() or pictures() changed.
     void changed();
+    //! A part of the surface found nothing of the detailed model. Emitted once for each start.
+    //! \param message translated
+    void noticed(const QString &message);
     //! \param message translated
     void failed(const QString &message);
 
@@ -79,6 +82,7 @@ private:
 
     void refine(std::shared_ptr<const LiveBakeModel> model, int pass);
     void takeOver(const StopFlag &flag, const std::shared_ptr<const LiveBakeModel> &model, int pass);
+    void tellMissed(const LiveBakeModel &model);
     void layAgain();
     void show(const StopFlag &flag, const TilePictures &tiles);
     void showReceived();
@@ -92,7 +96,7 @@ private:
     StopFlag mStop;       //!< of what is under way; null: off
     BakeChoice mChoice;
     QString mMap;
-    bool mRefining = false, mLaying = false, mStale = false;
+    bool mRefining = false, mTold = false, mLaying = false, mStale = false;
     std::shared_ptr<const LiveBakeModel> mModel; //!< with samples; null until the first ones are there
     class Box;
     std::shared_ptr<Box> mBox; //!< null: nothing is received

@@ -346,6 +346,10 @@ void BakeDialog::endMeasuring()
 
 QString BakeDialog::cageNote() const
 {
+    const BakeChoice chosen = choice();
+    if (chosen.high.isEmpty() &&
+        (chosen.maps.contains(u"ao"_s) || chosen.maps.contains(u"bent-normal"_s)))
+        return tr("Occlusion has no cage: it is that of this model by itself");
     if (!mCage->isEnabled())
         return {};
     if (mMeasuring)
