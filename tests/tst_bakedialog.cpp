@@ -472,7 +472,8 @@ void TestBakeDialog::liveBakesFollowTheMap()
     QVERIFY(live.isOn());
 }
 
-//! In the light of the surroundings, which turns; as colours in the UV view. Other maps are shown as they are.
+//! In the light of the surroundings, which turns; as colours in the UV view. Other maps are shown as they
+//! are.
 void TestBakeDialog::liveNormalsAreLit()
 {
     BakeSession session;

@@ -192,11 +192,10 @@ void TestCliBake::namesArePaired()
 void TestCliBake::aProposedCage()
 {
     const auto report = [&](const QStringList &arguments) {
-        const test::CliRun run =
-            runInProcess(QStringList{u"bake"_s, at("low.obj"), u"--high"_s, at("high.obj"), u"-o"_s,
-                                     at("proposed"), u"--maps"_s, u"height"_s, u"--size"_s, u"64"_s,
-                                     u"--report"_s, at("proposed.json")} +
-                         arguments);
+        const test::CliRun run = runInProcess(
+            QStringList{u"bake"_s, at("low.obj"), u"--high"_s, at("high.obj"), u"-o"_s, at("proposed"),
+                        u"--maps"_s, u"height"_s, u"--size"_s, u"64"_s, u"--report"_s, at("proposed.json")} +
+            arguments);
         [&] { QVERIFY2(run.code == 0, qPrintable(run.err)); }();
         QJsonObject figures = QJsonDocument::fromJson(test::readBytes(at("proposed.json"))).object();
         figures.insert(u"said"_s, run.err);

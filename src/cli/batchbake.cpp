@@ -191,11 +191,11 @@ QJsonObject BakeOutcome::json() const
     for (const auto &[map, difference] : seamDifferences)
         seams.insert(map, difference);
     QJsonObject report{{u"files"_s, QJsonArray::fromStringList(files)},
-            {u"texels"_s, figures.texels},
-            {u"texels_missed"_s, figures.missed},
-            {u"texels_overlapping"_s, figures.overlapped},
-            {u"seam_differences"_s, seams},
-            {u"notes"_s, QJsonArray::fromStringList(warnings)}};
+                       {u"texels"_s, figures.texels},
+                       {u"texels_missed"_s, figures.missed},
+                       {u"texels_overlapping"_s, figures.overlapped},
+                       {u"seam_differences"_s, seams},
+                       {u"notes"_s, QJsonArray::fromStringList(warnings)}};
     if (cage)
         report.insert(u"cage"_s, *cage);
     return report;

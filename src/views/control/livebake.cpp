@@ -113,8 +113,8 @@ std::set<int> touchedTiles(const MeshData &mesh, const UvMatrix &soupUv, double 
 }
 
 //! Lays the samples into a map, tile by tile.
-std::map<int, std::vector<QImage>> laidImages(const LiveBakeModel &model, const UvMatrix &soupUv, double tileHeight,
-                                 const std::atomic<bool> &stop)
+std::map<int, std::vector<QImage>> laidImages(const LiveBakeModel &model, const UvMatrix &soupUv,
+                                              double tileHeight, const std::atomic<bool> &stop)
 {
     ShadedSurface low = model.job->low;
     const std::set<int> tiles = touchedTiles(*low.mesh, soupUv, tileHeight);

@@ -22,8 +22,8 @@ struct MeshData;
 
 //! Shows one map of a bake in the views. Rays are traced once, at points all over the surface, first few and
 //! then more; whenever the shown map changes, what they found is laid into it anew, into all UDIM tiles in
-//! which it lies; normals are shown under light. Or it shows pictures that a job makes. All work is done on other threads. Ends when another
-//! model is opened.
+//! which it lies; normals are shown under light. Or it shows pictures that a job makes. All work is done on
+//! other threads. Ends when another model is opened.
 class LiveBake final : public QObject
 {
     Q_OBJECT

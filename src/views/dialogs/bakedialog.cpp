@@ -137,8 +137,9 @@ QWidget *BakeDialog::makeModels(const BakeChoice &last)
                                "100 % is the diagonal of the model")));
     mPropose = named("propose", new QPushButton(tr("Propose")));
     mPropose->setAutoDefault(false);
-    mPropose->setToolTip(tr("Measure how far the models are apart, and take that and half as much again; done "
-                            "for each bake where no distance is typed"));
+    mPropose->setToolTip(
+        tr("Measure how far the models are apart, and take that and half as much again; done "
+           "for each bake where no distance is typed"));
     mCageNote->setWordWrap(true);
     auto *cageRow = new QWidget;
     auto *cage = new QHBoxLayout(cageRow);
@@ -303,7 +304,9 @@ void BakeDialog::proposeCage()
     // Not a job of the dialog: that would keep it from closing until the model is read.
     runOnPool(
         backgroundPool(),
-        [model = mModel, high = choice().high, stop = mMeasuring] { return proposedCage(model, high, *stop); },
+        [model = mModel, high = choice().high, stop = mMeasuring] {
+            return proposedCage(model, high, *stop);
+        },
         [this, isWanted](const Result<double> &cage) {
             if (isWanted())
                 takeCage(cage);
@@ -347,8 +350,7 @@ void BakeDialog::endMeasuring()
 QString BakeDialog::cageNote() const
 {
     const BakeChoice chosen = choice();
-    if (chosen.high.isEmpty() &&
-        (chosen.maps.contains(u"ao"_s) || chosen.maps.contains(u"bent-normal"_s)))
+    if (chosen.high.isEmpty() && (chosen.maps.contains(u"ao"_s) || chosen.maps.contains(u"bent-normal"_s)))
         return tr("Occlusion has no cage: it is that of this model by itself");
     if (!mCage->isEnabled())
         return {};

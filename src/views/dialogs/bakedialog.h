@@ -71,9 +71,9 @@ private:
     QCheckBox *mByName, *mGreenDown, *mPutOn;
     QLabel *mCageNote, *mProblem;
     QPushButton *mPropose, *mBake, *mLive;
-    bool mOwnCage;                                //!< the user has typed it
-    QString mMeasured;                            //!< the detailed model whose cage is shown; empty: none
-    QString mNotMeasured;                         //!< why no cage is proposed
+    bool mOwnCage;                                 //!< the user has typed it
+    QString mMeasured;                             //!< the detailed model whose cage is shown; empty: none
+    QString mNotMeasured;                          //!< why no cage is proposed
     std::shared_ptr<std::atomic<bool>> mMeasuring; //!< ends it; null: nothing is measured
 };
 

@@ -106,8 +106,8 @@ LightBakeDialog::LightBakeDialog(const Document &document, const LightChoice &la
     : QDialog(questions.window()), mHasUv(document.uv().array().isFinite().any()),
       mLamps(new LampForm(document.state().scene, last.lights.areas, last.surface.emission)),
       mAlbedo(new AlbedoForm(document.uvSets(), last.surface, questions)),
-      mTextureSize(document.packingSettings().textureSize),
-      mPath(new PathField(tr("Light map"), questions)), mProblem(new QLabel)
+      mTextureSize(document.packingSettings().textureSize), mPath(new PathField(tr("Light map"), questions)),
+      mProblem(new QLabel)
 {
     setWindowTitle(tr("Bake light"));
     auto *left = new QVBoxLayout, *right = new QVBoxLayout;
