@@ -3605,7 +3605,7 @@
     </message>
     <message>
         <source>One colour</source>
-        <translation type="unfinished">Eine Farbe</translation>
+        <translation>Eine Farbe</translation>
     </message>
     <message>
         <source>A picture</source>
@@ -3617,7 +3617,7 @@
     </message>
     <message>
         <source>Brow&amp;se...</source>
-        <translation type="unfinished">Dur&amp;chsuchen...</translation>
+        <translation>Dur&amp;chsuchen...</translation>
     </message>
     <message>
         <source>That of the light map</source>
@@ -3629,7 +3629,7 @@
     </message>
     <message>
         <source>Colour:</source>
-        <translation type="unfinished">Farbe:</translation>
+        <translation>Farbe:</translation>
     </message>
     <message>
         <source>Picture:</source>
@@ -3649,11 +3649,11 @@
     </message>
     <message>
         <source>Pictures (%1)</source>
-        <translation type="unfinished">Bilder (%1)</translation>
+        <translation>Bilder (%1)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished">Alle Dateien (*)</translation>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
