@@ -608,7 +608,7 @@ void TestBakeDialog::liveBakesFillAllTiles()
     QCOMPARE(LiveBake::sizeFor(17), LiveBake::size / 2);
 }
 
-//! Occlusion is black where rays meet nothing of the detailed model: that is not what there is.
+//! Where rays meet nothing of the detailed model there is no occlusion, but black.
 void TestBakeDialog::whatALiveBakeMissesIsSaid()
 {
     BakeSession session;

@@ -5764,8 +5764,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
 <context>
     <name>autocuts::LiveBake</name>
     <message>
-        <source>%1 % of the surface found nothing of the detailed model and is black: a larger cage reaches farther</source>
-        <translation>%1 % der Oberfläche fanden nichts vom detaillierten Modell und sind schwarz: Ein größerer Käfig reicht weiter</translation>
+        <source>%1 % of the surface found nothing of the detailed model: a larger cage reaches farther</source>
+        <translation>%1 % der Oberfläche fanden nichts vom detaillierten Modell: Ein größerer Käfig reicht weiter</translation>
     </message>
 </context>
 <context>

@@ -370,7 +370,7 @@ void LiveBake::takeOver(const StopFlag &flag, const std::shared_ptr<const LiveBa
     layAgain();
 }
 
-//! There the picture is black.
+//! The picture has no values there.
 void LiveBake::tellMissed(const LiveBakeModel &model)
 {
     // Single points at borders are not worth a word.
@@ -379,7 +379,7 @@ void LiveBake::tellMissed(const LiveBakeModel &model)
         100 * double(model.samples->missed()) / double(std::max(1LL, model.samples->points()));
     if (std::exchange(mTold, true) || percent < fewestPercent)
         return;
-    Q_EMIT noticed(tr("%1 % of the surface found nothing of the detailed model and is black: a larger cage "
+    Q_EMIT noticed(tr("%1 % of the surface found nothing of the detailed model: a larger cage "
                       "reaches farther")
                        .arg(percent, 0, 'f', 1));
 }
