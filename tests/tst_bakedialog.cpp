@@ -7,10 +7,12 @@
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"
+#include "views/canvas/uvview.h"
 #include "views/control/bakechoice.h"
 #include "views/control/filecontroller.h"
 #include "views/control/livebake.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/modelpictures.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/bakedialog.h"
 #include "views/state/viewstate.h"
@@ -49,6 +51,13 @@ struct DialogUser
         edit->selectAll();
         QTest::keyClicks(edit, text);
     }
+    void typeCage(const QString &text) const
+    {
+        auto *number = find<QDoubleSpinBox>("cage")->findChild<QLineEdit *>();
+        number->setFocus();
+        number->selectAll();
+        QTest::keyClicks(number, text);
+    }
     //! Ticks or clears a map by the space bar.
     void toggle(int row) const
     {
@@ -58,6 +67,7 @@ struct DialogUser
         QTest::keyClick(maps, Qt::Key_Space);
     }
     QString problem() const { return find<QLabel>("problem")->text(); }
+    BakeChoice choice() const { return static_cast<BakeDialog &>(dialog).choice(); }
     int bake() const
     {
         QTest::mouseClick(find<QPushButton>("bake"), Qt::LeftButton);
@@ -123,6 +133,7 @@ private Q_SLOTS:
     void picturesAreBaked();
     void everyChoiceIsKept();
     void theCageIsProposed();
+    void theProposalIsBaked();
     void cagesComeFromFiles();
     void problemsAreSaid();
     void cancelEndsIt();
@@ -130,9 +141,11 @@ private Q_SLOTS:
     void whatADamagedSessionLostIsSaid();
     void everyMapHasATitle();
     void liveBakesFollowTheMap();
+    void liveNormalsAreLit();
     void liveColorsGoAlong();
     void liveBakesEnd();
     void liveBakesFillAllTiles();
+    void whatALiveBakeMissesIsSaid();
     void anotherMapIsShownLive();
 };
 
@@ -142,6 +155,7 @@ void TestBakeDialog::picturesAreBaked()
     const DocumentState before = session.document()->state();
     session.bake([&](const DialogUser &user) {
         user.type("high", session.high);
+        user.typeCage(u"2"_s);
         user.toggle(9); // height
         return user.bake();
     });
@@ -189,7 +203,7 @@ void TestBakeDialog::everyChoiceIsKept()
         QTest::mouseClick(user.find<QCheckBox>("putOn"), Qt::LeftButton, {}, {8, 8});
         QTest::mouseClick(user.find<QCheckBox>("byName"), Qt::LeftButton, {}, {8, 8});
         QTest::mouseClick(user.find<QCheckBox>("greenDown"), Qt::LeftButton, {}, {8, 8});
-        first = static_cast<BakeDialog &>(user.dialog).choice();
+        first = user.choice();
         return user.bake();
     });
     QVERIFY(session.jobsRest());
@@ -203,6 +217,7 @@ void TestBakeDialog::everyChoiceIsKept()
     QVERIFY(session.document()->state().textureSets.empty());
     QCOMPARE(first.rays, 5);
     QCOMPARE(first.dilation, 3);
+    QVERIFY(first.ownCage);
     QCOMPARE(first.cage, 0.07);
     QVERIFY(first.byName && first.greenDown);
     QVERIFY(first.direction == BakeChoice::Direction::Shading);
@@ -230,29 +245,66 @@ void TestBakeDialog::everyChoiceIsKept()
     });
 }
 
-//! From the distance of both models, on another thread.
+//! From the distance of both models, on another thread, as soon as there is a detailed one.
 void TestBakeDialog::theCageIsProposed()
 {
     BakeSession session;
     session.bake([&](const DialogUser &user) {
         auto *propose = user.find<QPushButton>("propose");
         auto *cage = user.find<QDoubleSpinBox>("cage");
+        auto *note = user.find<QLabel>("cageNote");
         [&] {
-            QVERIFY(!propose->isEnabled());
+            QVERIFY(!propose->isEnabled() && note->text().contains(u"Occlusion has no cage"_s));
+            user.toggle(2);
+            QVERIFY(note->isHidden());
+            user.toggle(2);
+            QVERIFY(!note->isHidden());
             user.type("high", session.high);
-            QTest::mouseClick(propose, Qt::LeftButton);
-            QVERIFY(!propose->isEnabled());
+            QVERIFY(!propose->isEnabled() && note->text().contains(u"Measuring"_s));
             QTRY_VERIFY_WITH_TIMEOUT(propose->isEnabled(), 60000);
-            // The corners are .01 * sqrt(3) apart, and a fifth is added.
-            QVERIFY2(std::abs(cage->value() - 0.6) < 0.02, qPrintable(QString::number(cage->value())));
+            // The corners are .01 * sqrt(3) apart, and half as much is added.
+            QCOMPARE(cage->value(), 0.75);
+            QVERIFY(note->text().contains(u"Proposed"_s) && note->isVisible());
+            QVERIFY(!user.choice().ownCage);
+            // What is typed stays, until a proposal is asked for.
+            user.typeCage(u"7"_s);
+            QVERIFY(note->isHidden());
+            user.type("high", session.low);
+            user.type("high", session.high);
+            QVERIFY(user.choice().ownCage && propose->isEnabled());
+            QCOMPARE(user.choice().cage, 0.07);
+            QTest::mouseClick(propose, Qt::LeftButton);
+            QTRY_VERIFY_WITH_TIMEOUT(propose->isEnabled(), 60000);
+            QCOMPARE(cage->value(), 0.75);
             session.write(session.high, {test::box(2, Vec3(30, 30, 30)), UvMatrix(0, 2)});
             QTest::mouseClick(propose, Qt::LeftButton);
             QTRY_VERIFY_WITH_TIMEOUT(propose->isEnabled(), 60000);
-            QVERIFY(user.problem().contains(u"nowhere near"_s));
+            QVERIFY(note->text().contains(u"nowhere near"_s));
             QVERIFY(user.find<QPushButton>("bake")->isEnabled());
         }();
         return 0;
     });
+}
+
+//! A bake that begins before the distance is there measures it itself. The height has the cage for its range.
+void TestBakeDialog::theProposalIsBaked()
+{
+    BakeSession session;
+    session.bake([&](const DialogUser &user) {
+        user.type("high", session.high);
+        user.toggle(9); // height
+        return user.bake();
+    });
+    QVERIFY(session.jobsRest());
+    QCOMPARE(session.failed.count(), 0);
+    const Result<Picture> height = readPicture(session.file("low_height.png"));
+    const double expected = 0.5 + 0.5 * 0.01 / (0.0075 * std::sqrt(12.0));
+    QVERIFY(std::abs(height->at(12, 51)[0] - expected) < 0.01);
+    // Out of all reach: said, and baked as without a proposal.
+    session.write(session.high, {test::box(9, Vec3(30, 30, 30)), UvMatrix(0, 2)});
+    session.bake([&](const DialogUser &user) { return user.bake(); });
+    QVERIFY(session.jobsRest());
+    QVERIFY(session.failed.last().first().toString().contains(u"nowhere near"_s));
 }
 
 void TestBakeDialog::cagesComeFromFiles()
@@ -420,6 +472,46 @@ void TestBakeDialog::liveBakesFollowTheMap()
     QVERIFY(live.isOn());
 }
 
+//! In the light of the surroundings, which turns; as colours in the UV view. Other maps are shown as they
+//! are.
+void TestBakeDialog::liveNormalsAreLit()
+{
+    BakeSession session;
+    LiveBake &live = session.context.liveBake;
+    session.bake([&](const DialogUser &user) {
+        user.type("high", session.high);
+        QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
+        return user.dialog.result();
+    });
+    const auto rests = [&] { return !live.isRefining() && live.updates() > 0; };
+    QTRY_VERIFY_WITH_TIMEOUT(rests() && session.context.pictures.light().environment(), 60000);
+    QVERIFY(live.isLit());
+    const auto middle = [](QWidget &view) {
+        const QImage image = view.grab().toImage();
+        return QColor(image.pixel(image.width() / 2, image.height() / 2));
+    };
+    const auto turnLight = [&](double degrees) {
+        ViewOptions options = session.context.view.options();
+        options.lightTurn = degrees;
+        session.context.view.setOptions(options);
+    };
+    MeshView &model = session.window.meshView();
+    QTRY_VERIFY(middle(model).hsvSaturationF() < 0.2); // not the blue of normals
+    const QColor before = middle(model);
+    turnLight(150);
+    QTRY_VERIFY(std::abs(middle(model).lightnessF() - before.lightnessF()) > 0.01);
+    const QImage map = session.window.uvView().grab().toImage();
+    int blue = 0;
+    for (int y = 0; y < map.height(); y += 4) {
+        for (int x = 0; x < map.width(); x += 4)
+            blue += qBlue(map.pixel(x, y)) > qRed(map.pixel(x, y)) + 60;
+    }
+    QVERIFY2(blue > 500, qPrintable(QString::number(blue)));
+    live.choose(u"height"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(rests(), 60000);
+    QVERIFY(!live.isLit());
+}
+
 //! The pictures that the user chose for the model stay on its faces while its map changes.
 void TestBakeDialog::liveColorsGoAlong()
 {
@@ -504,15 +596,42 @@ void TestBakeDialog::liveBakesFillAllTiles()
     });
     QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0, 60000);
     QCOMPARE(live.pictures().sets.size(), std::size_t(1));
-    const std::map<int, int> expected{{0, 0}, {1, 1}};
+    const std::map<int, int> expected{{0, 0}, {1, 3}}; // three layers each
     QCOMPARE(live.pictures().sets.front().tiles, expected);
-    for (const QImage &picture : live.pictures().images) {
+    for (const std::size_t normals : {1U, 4U}) {
+        const QImage &picture = live.pictures().images[normals];
         QCOMPARE(picture.width(), LiveBake::size);
-        QVERIFY(qBlue(picture.pixel(820, 820)) > 0 || qBlue(picture.pixel(820, 512)) > 0 ||
-                qBlue(picture.pixel(204, 820)) > 0);
+        QVERIFY(qRed(picture.pixel(820, 820)) > 0 || qRed(picture.pixel(820, 512)) > 0 ||
+                qRed(picture.pixel(204, 820)) > 0);
     }
     QCOMPARE(LiveBake::sizeFor(16), LiveBake::size);
     QCOMPARE(LiveBake::sizeFor(17), LiveBake::size / 2);
+}
+
+//! Where rays meet nothing of the detailed model there is no occlusion, but black.
+void TestBakeDialog::whatALiveBakeMissesIsSaid()
+{
+    BakeSession session;
+    const auto show = [&](const QString &cage) {
+        session.failed.clear();
+        session.bake([&](const DialogUser &user) {
+            user.type("high", session.high);
+            if (user.find<QListWidget>("maps")->item(0)->checkState() == Qt::Checked)
+                user.toggle(0); // only occlusion
+            user.typeCage(cage);
+            QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
+            return user.dialog.result();
+        });
+        const LiveBake &live = session.context.liveBake;
+        QVERIFY(live.map() == u"ao"_s);
+        QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 1 && !live.isRefining(), 120000);
+    };
+    show(u"2"_s);
+    QCOMPARE(session.failed.count(), 0);
+    show(u"0.01"_s);
+    QCOMPARE(session.failed.count(), 1); // once, not for each pass
+    const QString said = session.failed.first().first().toString();
+    QVERIFY2(said.contains(u"100.0 % of the surface"_s) && said.contains(u"larger cage"_s), qPrintable(said));
 }
 
 void TestBakeDialog::anotherMapIsShownLive()

@@ -55,6 +55,7 @@ private Q_SLOTS:
     void depths_data();
     void depths();
     void namesArePaired();
+    void aProposedCage();
     void aCageFile();
     void tilesAreFiles();
     void texturesAreCarried();
@@ -185,6 +186,34 @@ void TestCliBake::namesArePaired()
     QCOMPARE(alone.code, 0);
     QVERIFY2(alone.err.contains(u"belongs to: lid_low"_s), qPrintable(alone.err));
     QVERIFY(alone.err.contains(u"found nothing"_s));
+}
+
+//! Measured as in the studio, and named in the report.
+void TestCliBake::aProposedCage()
+{
+    const auto report = [&](const QStringList &arguments) {
+        const test::CliRun run = runInProcess(
+            QStringList{u"bake"_s, at("low.obj"), u"--high"_s, at("high.obj"), u"-o"_s, at("proposed"),
+                        u"--maps"_s, u"height"_s, u"--size"_s, u"64"_s, u"--report"_s, at("proposed.json")} +
+            arguments);
+        [&] { QVERIFY2(run.code == 0, qPrintable(run.err)); }();
+        QJsonObject figures = QJsonDocument::fromJson(test::readBytes(at("proposed.json"))).object();
+        figures.insert(u"said"_s, run.err);
+        return figures;
+    };
+    QCOMPARE(report({}).value(u"cage"_s).toDouble(), 0.02);
+    const QJsonObject measured = report({u"--cage"_s, u"auto"_s});
+    QCOMPARE(measured.value(u"cage"_s).toDouble(), 0.0075); // the corners are .01 * sqrt(3) apart
+    QCOMPARE(measured.value(u"texels_missed"_s).toInt(-1), 0);
+    const Result<Picture> height = readPicture(at("proposed/low_height.png"));
+    QVERIFY(std::abs(height->at(12, 51)[0] - (0.5 + 0.5 * 0.01 / (0.0075 * std::sqrt(12.0)))) < 0.01);
+    const QJsonObject last = report({u"--cage"_s, u"auto"_s, u"--cage"_s, u"0.03"_s});
+    QCOMPARE(last.value(u"cage"_s).toDouble(), 0.03);
+    QVERIFY(!report({u"--cage-file"_s, at("cage.obj")}).contains(u"cage"_s));
+    QVERIFY(writeMesh(sceneOf({test::box(4, Vec3(3, 3, 3)), UvMatrix(0, 2)}, u"far"_s), at("far.obj")).ok());
+    const QJsonObject far = report({u"--cage"_s, u"auto"_s, u"--high"_s, at("far.obj")});
+    QVERIFY(far.value(u"said"_s).toString().contains(u"nowhere near"_s));
+    QCOMPARE(far.value(u"cage"_s).toDouble(), 0.02);
 }
 
 void TestCliBake::aCageFile()
@@ -365,6 +394,8 @@ void TestCliBake::mistakes_data()
                                  << 2 << u"thickness"_s;
     QTest::newRow("samples") << QStringList{at("low.obj"), u"-o"_s, at("x"), u"--samples"_s, u"5"_s} << 2
                              << u"1, 4, 9"_s;
+    QTest::newRow("cage") << QStringList{at("low.obj"), u"-o"_s, at("x"), u"--cage"_s, u"wide"_s} << 2
+                          << u"or auto"_s;
     QTest::newRow("huge") << QStringList{at("low.obj"), u"-o"_s, at("x"), u"--size"_s, u"60000"_s} << 1
                           << u"too large"_s;
     QTest::newRow("larger than any") << QStringList{at("low.obj"), u"-o"_s, at("x"), u"--size"_s, u"100000"_s}

@@ -11,6 +11,7 @@
 #include "views/control/workspace.h"
 #include "views/dialogs/lightbakedialog.h"
 #include "views/state/viewstate.h"
+#include "views/ui/colorbutton.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -153,6 +154,7 @@ private Q_SLOTS:
     void setsThatAreThere();
     void lightsReachTheModel();
     void everyChoiceIsKept();
+    void theSurfaceReflectsWhatIsChosen();
     void problemsAreSaid();
     void cancelKeepsWhatThereIs();
     void brightLightIsSaid();
@@ -209,9 +211,9 @@ void TestLightDialog::setsThatAreThere()
     const DocumentState before = session.document()->state();
     session.ask([&](const DialogUser &user) {
         user.choose("uvSet", 0);
-        user.choose("size", 2); // 128
+        user.number<QSpinBox>("size", u"100"_s);
         user.number<QSpinBox>("samples", u"4"_s);
-        user.choose("format", 5);
+        user.choose("format", 6);
         [&] { QVERIFY(user.choice().path.endsWith(u"box_light.exr"_s)); }();
         return user.bake();
     });
@@ -220,7 +222,7 @@ void TestLightDialog::setsThatAreThere()
     QVERIFY(session.document()->state() == before); // the map is as it was
     const Result<Picture> picture = readPicture(session.file("box_light.exr"));
     QVERIFY(picture.ok());
-    QCOMPARE(picture->width, 128);
+    QCOMPARE(picture->width, 100);
     // The file is there now: it is asked for.
     session.answers->confirms = false;
     session.ask([&](const DialogUser &user) {
@@ -276,6 +278,8 @@ void TestLightDialog::lightsReachTheModel()
 void TestLightDialog::everyChoiceIsKept()
 {
     LightSession session;
+    const QString picture = session.file("albedo.png");
+    QVERIFY(writePicture(Picture(2, 2, 3, 0.5F), picture, PictureDepth::Eight).ok());
     LightChoice first;
     session.ask([&](const DialogUser &user) {
         user.choose("uvSet", 0);
@@ -287,8 +291,11 @@ void TestLightDialog::everyChoiceIsKept()
         user.number<QDoubleSpinBox>("turbidity", u"6"_s); // not for this sky
         user.choose("up", 1);
         user.choose("values", 2);
-        user.choose("size", 1);
-        user.choose("format", 1);
+        user.number<QSpinBox>("size", u"48"_s);
+        user.choose("format", 2);
+        user.choose("albedo", 2);
+        user.type(user.find<QLineEdit>("albedoPicture"), picture);
+        user.choose("albedoUvSet", 1);
         for (const char *name : {"denoise", "direct"})
             user.click(name);
         user.number<QSpinBox>("samples", u"3"_s);
@@ -318,13 +325,17 @@ void TestLightDialog::everyChoiceIsKept()
     QCOMPARE(first.surface.emission.size(), std::size_t(1));
     QCOMPARE(first.surface.emission[0].first, u"Paint"_s);
     QCOMPARE(first.surface.emission[0].second, Vec3f(0.5F, 0.5F, 0.5F));
-    QCOMPARE(first.textureSize, 64);
+    QCOMPARE(first.textureSize, 48);
     QVERIFY(!first.denoise && !first.direct && first.indirect);
     QVERIFY(first.values == LightChoice::Values::Lit);
     QCOMPARE(first.samples, 3);
     QCOMPARE(first.bounces, 2);
     QCOMPARE(first.dilation, 5);
-    QCOMPARE(first.bits, 16);
+    QCOMPARE(first.bits, 8);
+    QVERIFY(first.path.endsWith(u"box_light.tif"_s));
+    QCOMPARE(first.surface.albedoFile, picture);
+    QCOMPARE(first.surface.albedoUvSet, u"UVMap"_s);
+    QVERIFY(!first.surface.albedo);
     session.ask([&](const DialogUser &user) {
         [&] { QVERIFY(user.choice() == first); }();
         return user.cancel();
@@ -340,6 +351,39 @@ void TestLightDialog::everyChoiceIsKept()
         [&] { QVERIFY(user.choice() == first); }();
         return user.cancel();
     });
+}
+
+//! What is seen goes by what the surface reflects.
+void TestLightDialog::theSurfaceReflectsWhatIsChosen()
+{
+    LightSession session;
+    QVERIFY(writePicture(Picture(2, 2, 3, 0.25F), session.file("dark.png"), PictureDepth::Eight).ok());
+    const auto brightest = [&](const std::function<void(const DialogUser &)> &change) {
+        QFile::remove(session.file("box_light.png"));
+        session.ask([&](const DialogUser &user) {
+            user.choose("uvSet", 0);
+            user.choose("values", 2); // what is seen
+            change(user);
+            return user.bake();
+        });
+        session.jobsRest();
+        const Result<Picture> seen = readPicture(session.file("box_light.png"));
+        return seen ? std::ranges::max(seen->values) : -1;
+    };
+    const float own = brightest([](const DialogUser &) {});
+    QVERIFY(own > 0.5F);
+    QCOMPARE(brightest([](const DialogUser &user) {
+                 user.choose("albedo", 1);
+                 user.find<ColorButton>("albedoColor")->setColor(Qt::black);
+             }),
+             0.0F);
+    const float dark = brightest([&](const DialogUser &user) {
+        [&] { QVERIFY(user.choice().surface.albedo == Vec3f(0, 0, 0)); }(); // kept
+        user.choose("albedo", 2);
+        [&] { QVERIFY(!user.canBake() && user.problem().contains(u"picture of the surface"_s)); }();
+        user.type(user.find<QLineEdit>("albedoPicture"), session.file("dark.png"));
+    });
+    QVERIFY(dark > 0 && dark < 0.6F * own);
 }
 
 void TestLightDialog::problemsAreSaid()

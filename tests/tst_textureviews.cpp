@@ -5,14 +5,20 @@
 #include "views/canvas/uvview.h"
 #include "views/control/modelpictures.h"
 #include "views/panels/noticebar.h"
+#include "views/shell/statusbar.h"
+#include "views/ui/pooltask.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QMenu>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QScopeGuard>
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QThreadPool>
 #include <QTreeWidget>
 
 using namespace autocuts;
@@ -202,6 +208,34 @@ private Q_SLOTS:
         desk.click("loadTextureFolder");
         QCOMPARE(desk.answers->errors.size(), 1);
         QVERIFY(isNear(desk.onModel(), lit, 2));
+    }
+
+    //! Also where a redo brings them back: the window goes on meanwhile.
+    void theBarSaysThatTheyAreRead()
+    {
+        Desk desk;
+        desk.loadFolder();
+        auto *progress = desk.child<QProgressBar>("progress");
+        desk.press(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(desk.loaded());
+        QTRY_VERIFY(!progress->isVisible());
+        // All threads that read pictures are busy for as long as the test wants.
+        QThreadPool &pool = backgroundPool();
+        const auto hold = std::make_shared<QSemaphore>();
+        for (int t = 0; t < pool.maxThreadCount(); ++t)
+            pool.start([hold] { hold->acquire(); });
+        auto release = qScopeGuard([&] { hold->release(pool.maxThreadCount()); });
+        desk.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(desk.shown(0), u"wood_BaseColor.png"_s); // the document is there at once
+        QTRY_VERIFY(progress->isVisible());
+        QCOMPARE(progress->maximum(), 0); // moves
+        const auto *bar = desk.window.findChild<StatusBar *>();
+        QVERIFY2(bar->shownText().contains(u"eading textures"_s), qPrintable(bar->shownText()));
+        release.dismiss();
+        hold->release(pool.maxThreadCount());
+        QVERIFY(desk.loaded());
+        QVERIFY(!progress->isVisible());
+        QVERIFY(!bar->shownText().contains(u"eading textures"_s));
     }
 
     void channelsAreShownAsTheyAre()

@@ -3610,6 +3610,73 @@
     </message>
 </context>
 <context>
+    <name>autocuts::AlbedoForm</name>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Colour of the surface</source>
+        <translation>Farbe der Oberfläche</translation>
+    </message>
+    <message>
+        <source>The colours of the model</source>
+        <translation>Die Farben des Modells</translation>
+    </message>
+    <message>
+        <source>One colour</source>
+        <translation>Eine Farbe</translation>
+    </message>
+    <message>
+        <source>A picture</source>
+        <translation>Ein Bild</translation>
+    </message>
+    <message>
+        <source>What the surface reflects; the colours of the model are those of its textures, else of its vertices or materials</source>
+        <translation>Was die Oberfläche zurückwirft; die Farben des Modells sind die seiner Texturen, sonst die seiner Punkte oder Materialien</translation>
+    </message>
+    <message>
+        <source>Brow&amp;se...</source>
+        <translation>Dur&amp;chsuchen...</translation>
+    </message>
+    <message>
+        <source>That of the light map</source>
+        <translation>Der der Light-Map</translation>
+    </message>
+    <message>
+        <source>&amp;Reflects:</source>
+        <translation>&amp;Reflektiert:</translation>
+    </message>
+    <message>
+        <source>Colour:</source>
+        <translation>Farbe:</translation>
+    </message>
+    <message>
+        <source>Picture:</source>
+        <translation>Bild:</translation>
+    </message>
+    <message>
+        <source>For the UV set:</source>
+        <translation>Für den UV-Satz:</translation>
+    </message>
+    <message>
+        <source>Choose the picture of the surface&apos;s colours.</source>
+        <translation>Wählen Sie das Bild mit den Farben der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Picture of the surface&apos;s colours</source>
+        <translation>Bild mit den Farben der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
     <name>autocuts::BakeDialog</name>
     <message>
         <source>Normals (tangent space)</source>
@@ -3852,10 +3919,6 @@
         <translation>Vorschlagen</translation>
     </message>
     <message>
-        <source>Measure how far the models are apart, and take that and a little more</source>
-        <translation>Misst, wie weit die Modelle auseinander sind, und nimmt das und etwas mehr</translation>
-    </message>
-    <message>
         <source>None: by distance</source>
         <translation>Keine: nach dem Abstand</translation>
     </message>
@@ -3928,10 +3991,6 @@
         <translation>Käfig</translation>
     </message>
     <message>
-        <source>Measuring</source>
-        <translation>Wird gemessen</translation>
-    </message>
-    <message>
         <source>Measuring how far the models are apart...</source>
         <translation>Misst, wie weit die Modelle auseinander sind...</translation>
     </message>
@@ -3950,6 +4009,18 @@
     <message>
         <source>Choose a detailed model first</source>
         <translation>Zuerst ein detailliertes Modell wählen</translation>
+    </message>
+    <message>
+        <source>Measure how far the models are apart, and take that and half as much again; done for each bake where no distance is typed</source>
+        <translation>Misst, wie weit die Modelle auseinanderliegen, und nimmt das und die Hälfte dazu; geschieht bei jedem Backen, für das kein Abstand eingegeben ist</translation>
+    </message>
+    <message>
+        <source>Occlusion has no cage: it is that of this model by itself</source>
+        <translation>Verdeckung hat keinen Käfig: Sie ist die dieses Modells für sich allein</translation>
+    </message>
+    <message>
+        <source>Proposed, from the distance of both models</source>
+        <translation>Vorgeschlagen, aus dem Abstand beider Modelle</translation>
     </message>
 </context>
 <context>
@@ -5511,14 +5582,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Die Map, in die Licht gebacken wird. In einer Map für Lightmaps liegen keine Inseln aufeinander: Eine neue wird aus der aktiven Map gemacht und mit dem Abstand aus dem Bedienfeld Packen gepackt</translation>
     </message>
     <message>
-        <source>%1, as in the Packing panel</source>
-        <translation>%1, wie beim Packen</translation>
-    </message>
-    <message>
-        <source>Texels along the width</source>
-        <translation>Texel in der Breite</translation>
-    </message>
-    <message>
         <source>Light, times the colour of the surface it is what is seen</source>
         <translation>Licht: mal der Farbe der Fläche ist es, was man sieht</translation>
     </message>
@@ -5642,6 +5705,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>This kind of sky has no such colour</source>
         <translation>Diese Art von Himmel hat keine solche Farbe</translation>
     </message>
+    <message>
+        <source>Width of the picture; at first that of the texture in the Packing panel, whose proportions it has</source>
+        <translation>Breite des Bildes; zuerst die der Textur im Packen-Bereich, deren Seitenverhältnis es hat</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::LightForm</name>
@@ -5728,6 +5795,13 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::LiveBake</name>
+    <message>
+        <source>%1 % of the surface found nothing of the detailed model: a larger cage reaches farther</source>
+        <translation>%1 % der Oberfläche fanden nichts vom detaillierten Modell: Ein größerer Käfig reicht weiter</translation>
     </message>
 </context>
 <context>
@@ -6352,6 +6426,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>No island has a tag: Select &gt; Tags of islands gives one</source>
         <translation>Keine Insel hat eine Markierung: Auswahl &gt; Markierungen von Inseln gibt eine</translation>
+    </message>
+    <message>
+        <source>The detailed model is nowhere near this one: the cage is %1 % of its diagonal</source>
+        <translation>Das detaillierte Modell ist nirgends in der Nähe von diesem: Der Käfig ist %1 % seiner Diagonale</translation>
     </message>
 </context>
 <context>
@@ -8707,6 +8785,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Reading textures…</source>
+        <translation>Texturen werden gelesen…</translation>
+    </message>
+    <message>
+        <source>%1 – reading textures…</source>
+        <translation>%1 – Texturen werden gelesen…</translation>
     </message>
 </context>
 <context>

@@ -64,6 +64,26 @@ std::optional<QString> readSamples(CliOptions &options, const QString &value)
     return u"1, 4, 9, 16, 36 or 64"_s;
 }
 
+//! Also takes the word that stands for a measured distance.
+CliOption cageOption()
+{
+    CliOption option = number(
+        group, u"--cage"_s, u"X|auto"_s, ofCage(&bake::CageSettings::distance), 1e-6, 1,
+        u"how far the detailed model is looked for, outside and inside of the surface, as a share of the "
+        "diagonal of the input's bounding box; auto: measured from the distance of both models, as the "
+        "studio proposes it, and named in the report"_s);
+    option.read = [ofNumber = option.read](CliOptions &options, const QString &value) {
+        const bool proposed = value == u"auto";
+        std::optional<QString> problem = proposed ? std::nullopt : ofNumber(options, value);
+        if (problem)
+            *problem += u", or auto"_s;
+        else
+            options.bake.proposedCage = proposed;
+        return problem;
+    };
+    return option;
+}
+
 CliOption ofValue(CliOption option, const QString &value)
 {
     option.value = value;
@@ -93,9 +113,7 @@ std::vector<CliOption> bakeOptions()
          readSamples},
         integer(group, u"--rays"_s, ofRays(&bake::RaySettings::rays), 1, 65536,
                 u"rays per texel for ao, bent-normal, curvature and thickness"_s),
-        number(group, u"--cage"_s, u"X"_s, ofCage(&bake::CageSettings::distance), 1e-6, 1,
-               u"how far the detailed model is looked for, outside and inside of the surface, as a share of "
-               "the diagonal of the input's bounding box"_s),
+        cageOption(),
         text(group, {u"--cage-file"_s}, ofBaking(&CliOptions::Baking::cageFile),
              u"in place of --cage: the input with its vertices moved outwards; rays run from there through "
              "the surface, and as far behind it"_s),

@@ -13,6 +13,7 @@
 #include "model/io/transfersource.h"
 #include "model/plain/chart.h"
 #include "model/plain/udimtiles.h"
+#include "model/transfer/surfacedistance.h"
 #include "solver/bake/carrying.h"
 
 #include <QDir>
@@ -135,6 +136,24 @@ Result<Done> readCage(const CliOptions &options, const Scene &scene, const std::
     return Done{};
 }
 
+//! The cage of the options for a detailed model.
+Result<Done> takeCage(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
+                      bake::BakeJob &job, BakeOutcome &outcome, QStringList &read)
+{
+    bake::CageSettings &cage = job.settings.cage;
+    if (!options.bake.cageFile.isEmpty())
+        return readCage(options, scene, stop, cage, read, outcome.warnings);
+    if (options.bake.proposedCage) {
+        const std::optional<double> measured = transfer::proposedCage(*job.low.mesh, *job.high->mesh, stop);
+        if (!measured && !stop)
+            outcome.warnings << u"the detailed model is nowhere near the input: the cage is %1 of its "
+                                "diagonal"_s.arg(cage.distance);
+        cage.distance = measured.value_or(cage.distance);
+    }
+    outcome.cage = cage.distance;
+    return Done{};
+}
+
 //! Gives the surface the colours that a map of colours needs.
 void takeColors(const CliOptions &options, const DocumentState &model, ShadedSurface &surface,
                 QStringList &warnings)
@@ -171,12 +190,15 @@ QJsonObject BakeOutcome::json() const
     QJsonObject seams;
     for (const auto &[map, difference] : seamDifferences)
         seams.insert(map, difference);
-    return {{u"files"_s, QJsonArray::fromStringList(files)},
-            {u"texels"_s, figures.texels},
-            {u"texels_missed"_s, figures.missed},
-            {u"texels_overlapping"_s, figures.overlapped},
-            {u"seam_differences"_s, seams},
-            {u"notes"_s, QJsonArray::fromStringList(warnings)}};
+    QJsonObject report{{u"files"_s, QJsonArray::fromStringList(files)},
+                       {u"texels"_s, figures.texels},
+                       {u"texels_missed"_s, figures.missed},
+                       {u"texels_overlapping"_s, figures.overlapped},
+                       {u"seam_differences"_s, seams},
+                       {u"notes"_s, QJsonArray::fromStringList(warnings)}};
+    if (cage)
+        report.insert(u"cage"_s, *cage);
+    return report;
 }
 
 Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files, const Scene &scene,
@@ -209,12 +231,8 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files,
                 outcome.warnings << u"no object of the detailed model belongs to: %1"_s.arg(
                     alone.join(u", "_s));
         }
-        if (!options.bake.cageFile.isEmpty()) {
-            const Result<Done> cage =
-                readCage(options, scene, stop, job->settings.cage, read, outcome.warnings);
-            if (!cage)
-                return cage.error();
-        }
+        if (const Result<Done> cage = takeCage(options, scene, stop, job.value(), outcome, read); !cage)
+            return cage.error();
     }
     if (options.bake.high.isEmpty())
         takeColors(options, files.modelOf(scene), job->low, outcome.warnings);

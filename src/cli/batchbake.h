@@ -21,6 +21,7 @@ struct BakeOutcome
     //! By the names of the maps: the mean difference across seams, see bake::SeamDifference; 255 is the whole
     //! range.
     std::map<QString, double> seamDifferences;
+    std::optional<double> cage; //!< its distance, where a detailed model was looked for by one
 
     QJsonObject json() const;
 };

@@ -56,6 +56,7 @@ struct CliOptions
 
         bake::BakeJob job; //!< without its models
         QString high, cageFile;
+        bool proposedCage = false; //!< in place of a distance: measured
         bool byName = false;
         QString suffix = QStringLiteral("png"); //!< of the pictures
         std::optional<int> bits;                //!< of their numbers

@@ -2,10 +2,10 @@
 
 #include "model/plain/uvlayout.h"
 #include "support/patience.h"
+#include "views/ui/pooltask.h"
 
 #include <QSurfaceFormat>
 #include <QTest>
-#include <QThreadPool>
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +114,7 @@ void StudioPictures::rest()
 QImage StudioPictures::grab(Canvas &canvas, const QSize &size)
 {
     mCanvases.view.setOptions(mOptions);
-    QThreadPool::globalInstance()->waitForDone(); // textures are read there
+    backgroundPool().waitForDone(); // textures are read there
     QCoreApplication::processEvents();
     QImage picture = canvas.picture();
     picture.setDevicePixelRatio(1);

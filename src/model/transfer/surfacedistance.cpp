@@ -13,7 +13,7 @@ namespace {
 //! So many vertices tell. Chosen by hand.
 constexpr int mostVertices = 20'000;
 //! The others may be spikes or faults. Chosen by hand.
-constexpr double nearlyAll = 0.995;
+constexpr double nearlyAll = 0.999;
 
 SurfaceTree treeOf(const MeshData &mesh)
 {
@@ -56,6 +56,16 @@ std::optional<double> surfaceDistance(const MeshData &a, const MeshData &b, doub
     if (stop || (there.empty() && back.empty()))
         return {};
     return std::max(mostOf(there), mostOf(back));
+}
+
+std::optional<double> proposedCage(const MeshData &low, const MeshData &high, const std::atomic<bool> &stop)
+{
+    constexpr double farthest = 0.2, least = 0.001, room = 1.5; // chosen by hand
+    const double size = low.report.boxDiagonal;
+    const std::optional<double> distance = surfaceDistance(low, high, farthest * size, stop);
+    if (!distance || !(size > 0))
+        return {};
+    return std::round(1e4 * std::max(least, room * *distance / size)) / 1e4;
 }
 
 } // namespace autocuts::transfer

@@ -5,6 +5,7 @@
 #include "solver/bake/texels.h"
 #include "solver/base/jobcontext.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace autocuts::bake {
@@ -22,6 +23,8 @@ public:
     MapKind kind() const { return mKind; }
     //! False when the job was stopped.
     bool isComplete() const { return mComplete; }
+    //! How many were traced.
+    long long points() const { return static_cast<long long>(mValues.size()) / std::max(1, mChannels); }
     long long missed() const { return mMissed; } //!< points that found nothing of the detailed model
 
     //! A picture of a map of these triangles: directions, colours and numbers encoded for whole numbers, see

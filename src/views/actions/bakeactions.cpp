@@ -33,8 +33,9 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
             askLight(*document);
     });
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mHasLight = false; });
-    connect(&context.liveBake, &LiveBake::failed, &context.map,
-            [map = &context.map](const QString &message) { Q_EMIT map->failed(message); });
+    for (const auto signal : {&LiveBake::failed, &LiveBake::noticed})
+        connect(&context.liveBake, signal, &context.map,
+                [map = &context.map](const QString &message) { Q_EMIT map->failed(message); });
     connect(&context.view, &ViewState::optionsChanged, this, [this] {
         if (mContext.view.options().pattern != Pattern::Baked)
             mContext.liveBake.stop();

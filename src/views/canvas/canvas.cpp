@@ -166,14 +166,15 @@ void Canvas::uploadPictures()
 //! What only the 3D view needs for texture sets.
 void Canvas::uploadForLight()
 {
-    if (kind() != Kind::Model || mPictured != Pattern::Physical)
+    const bool liveNormals = mPictured == Pattern::Baked && studio().liveBake.isLit();
+    if (kind() != Kind::Model || (mPictured != Pattern::Physical && !liveNormals))
         return;
     const ModelPictures &pictures = studio().pictures;
     if (const auto &environment = pictures.light().environment(); environment != mEnvironment) {
         mEnvironment = environment;
         mGl->environment.set(*environment);
     }
-    if (mContent.mesh() && pictures.haveNormals() && std::exchange(mTangentsStale, false))
+    if (mContent.mesh() && (liveNormals || pictures.haveNormals()) && std::exchange(mTangentsStale, false))
         mGl->soup.setTangents(mContent.tangents());
 }
 

@@ -165,7 +165,8 @@ void MeshView::drawScene(GlResources &gl)
     room.pixelRatio = devicePixelRatioF();
     room.grid = options.grid;
     const QMatrix4x4 toEnvironment = lightTurn(options.lightTurn);
-    const bool lit = options.pattern == Pattern::Physical && options.shownChannel < 0;
+    const bool lit = (options.pattern == Pattern::Physical && options.shownChannel < 0) ||
+                     (options.pattern == Pattern::Baked && studio().liveBake.isLit());
     room.environment = lit && options.showSurroundings ? &gl.environment : nullptr;
     room.toEnvironment = toEnvironment;
     room.exposure = options.exposure;

@@ -24,7 +24,7 @@ void TextureFile::setPath(const QString &path)
         Q_EMIT self->changed();
     };
     runOnPool(
-        *QThreadPool::globalInstance(),
+        backgroundPool(),
         [path] {
             QStringList problems; // whoever set the path has looked whether there is a picture
             return readPictures({{path, {}, path}}, problems);

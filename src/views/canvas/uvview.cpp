@@ -142,6 +142,14 @@ void UvView::restoreViewState(const QCborMap &state)
     update();
 }
 
+//! Of texture sets; of a live bake, the normals.
+int UvView::shownChannel() const
+{
+    const ViewOptions &options = studio().view.options();
+    return options.pattern == Pattern::Baked ? int(TextureChannel::Normal)
+                                             : std::max(options.shownChannel, 0);
+}
+
 PaperDrawing UvView::paper(GlResources &gl) const
 {
     const ViewOptions &options = studio().view.options();
@@ -151,7 +159,7 @@ PaperDrawing UvView::paper(GlResources &gl) const
     paper.pattern = options.pattern;
     paper.checkerSize = options.checkerSize;
     paper.pictures = &gl.pictures;
-    paper.shownChannel = std::max(options.shownChannel, 0);
+    paper.shownChannel = shownChannel();
     if (onlySet() == 0)
         paper.pictureSet = studio().pictures.shownSet();
     if (paper.pictureSet < 0)
@@ -196,7 +204,7 @@ MapScene UvView::scene(GlResources &gl) const
     drawing.tileHeight = packing().tileHeight();
     drawing.pictures = &gl.pictures;
     drawing.onlySet = onlySet();
-    drawing.shownChannel = std::max(options.shownChannel, 0);
+    drawing.shownChannel = shownChannel();
     drawing.selectionShare = selectionShare(options.coloring);
     drawing.tint = plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();

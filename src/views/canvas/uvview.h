@@ -45,6 +45,7 @@ protected:
 private:
     //! The texture of the document, or of new sessions.
     PackingSettings packing() const;
+    int shownChannel() const;
     PaperDrawing paper(GlResources &gl) const;
     MapScene scene(GlResources &gl) const;
     void drawOn();

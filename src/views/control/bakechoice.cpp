@@ -46,6 +46,7 @@ void visitChoices(Choice &choice, Visit visit)
     visit("samplesPerSide", choice.samplesPerSide);
     visit("rays", choice.rays);
     visit("cage", choice.cage);
+    visit("ownCage", choice.ownCage);
     visit("cageFile", choice.cageFile);
     visit("reach", choice.reach);
     visit("curvatureRadius", choice.curvatureRadius);
@@ -91,6 +92,8 @@ BakeChoice BakeChoice::fromCbor(const QCborMap &map)
         if (read.canConvert<Value>())
             value = read.value<Value>();
     });
+    if (!map.contains(QLatin1StringView("ownCage"))) // written before cages were proposed
+        choice.ownCage = choice.cage != BakeChoice().cage;
     choice.direction = static_cast<Direction>(map.value(QLatin1StringView("direction")).toInteger());
     choice.colors = static_cast<Colors>(map.value(QLatin1StringView("colors")).toInteger());
     if (const QCborValue maps = map.value(QLatin1StringView("maps")); maps.isArray())

@@ -18,8 +18,11 @@ struct BakeChoice
     int width = 0;          //!< of the pictures, in texels; 0: that of the document's texture
     int samplesPerSide = 2; //!< of each texel
     int rays = 64;          //!< per texel
-    double cage = 0.02;     //!< share of the diagonal of the model's bounding box
-    QString cageFile;       //!< in place of the distance; empty: none
+    //! Share of the diagonal of the model's bounding box; not `ownCage`: it is measured for each bake, and
+    //! this is what was shown of it.
+    double cage = 0.02;
+    bool ownCage = false; //!< the user has typed it
+    QString cageFile;     //!< in place of the distance; empty: none
     Direction direction = Direction::Smoothed;
     double reach = 0; //!< of rays to what occludes, as a share of the diagonal; 0: everything does
     double curvatureRadius = 0.01, thicknessLimit = 0.25; //!< shares of the diagonal

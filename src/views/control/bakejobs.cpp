@@ -189,6 +189,13 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
             readCage(choice.cageFile, *scene.mesh, stop, job.settings.cage, files, warnings);
         if (!cage)
             return cage.error();
+    } else if (!choice.ownCage) {
+        const std::optional<double> measured = transfer::proposedCage(*job.low.mesh, *job.high->mesh, stop);
+        if (!measured && !stop)
+            warnings << JobTexts::tr("The detailed model is nowhere near this one: the cage is %1 % of its "
+                                     "diagonal")
+                            .arg(100 * bake::CageSettings().distance);
+        job.settings.cage.distance = measured.value_or(bake::CageSettings().distance);
     }
     if (choice.byName) {
         const QStringList alone = pairObjects(job.low, scene.objectNames, *job.high, high->scene.objectNames);
@@ -208,14 +215,11 @@ Result<double> proposedCage(const DocumentState &model, const QString &high, con
     const ShadedSurface low = shadedSurface(model.scene);
     ShadedSurface detailed = shadedSurface(read->scene);
     placeLike(detailed, low);
-    const double size = low.mesh->report.boxDiagonal;
-    constexpr double farthest = 0.1, least = 0.001, room = 1.2; // chosen by hand
-    const std::optional<double> distance =
-        transfer::surfaceDistance(*low.mesh, *detailed.mesh, farthest * size, stop);
-    if (!distance || !(size > 0))
+    const std::optional<double> cage = transfer::proposedCage(*low.mesh, *detailed.mesh, stop);
+    if (!cage)
         return Error{JobTexts::tr("the detailed model is nowhere near this one"), high, 0,
                      JobTexts::tr("Choose the model that belongs to this one")};
-    return std::max(least, room * *distance / size);
+    return *cage;
 }
 
 MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const BakeChoice &choice,

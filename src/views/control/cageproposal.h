@@ -8,8 +8,7 @@
 
 namespace autocuts {
 
-//! A share of the diagonal of the model's bounding box, from the distance of both models. Reads the detailed
-//! model; takes long. \param high its file
+//! See transfer::proposedCage(). Reads the detailed model; takes long. \param high its file
 Result<double> proposedCage(const DocumentState &model, const QString &high, const std::atomic<bool> &stop);
 
 } // namespace autocuts

@@ -29,6 +29,8 @@ void visitLight(Choice &choice, Visit visit)
     visit("skyStrength", choice.lights.skyStrength);
     visit("turbidity", choice.lights.turbidity);
     visit("zUp", choice.lights.zUp);
+    visit("albedoFile", choice.surface.albedoFile);
+    visit("albedoUvSet", choice.surface.albedoUvSet);
 }
 
 template <typename... Vectors>
@@ -77,6 +79,8 @@ QCborMap LightChoice::toCbor() const
     if (lights.sun)
         map[key("sun")] = numbersOf(*lights.sun);
     map[key("sunColor")] = numbersOf(lights.sunColor);
+    if (surface.albedo)
+        map[key("albedo")] = numbersOf(*surface.albedo);
     if (lights.sky) {
         QCborArray colors;
         for (const Vec3f &color : *lights.sky)
@@ -106,6 +110,8 @@ LightChoice LightChoice::fromCbor(const QCborMap &map)
         choice.lights.sun = sun;
     if (Vec3f color; takeNumbers(map.value(key("sunColor")), color))
         choice.lights.sunColor = color;
+    if (Vec3f albedo; takeNumbers(map.value(key("albedo")), albedo))
+        choice.surface.albedo = albedo;
     if (const QCborValue sky = map.value(key("sky")); sky.isArray()) {
         choice.lights.sky.emplace();
         for (const QCborValue value : sky.toArray()) {

@@ -11,6 +11,7 @@
 #include <QImage>
 #include <QPointer>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <mutex>
@@ -60,6 +61,29 @@ QImage imageOf(const Picture &picture)
     return image;
 }
 
+constexpr std::size_t litLayerCount = 3;
+
+//! Tangent space normals as a texture set of a plain grey material. \param greenDown the picture has them so
+std::vector<QImage> litLayers(const QImage &normals, bool greenDown)
+{
+    constexpr int grey = 200, roughness = 128; // chosen by hand
+    std::vector<QImage> layers(litLayerCount, QImage(normals.size(), QImage::Format_RGBA8888));
+    layers[0].fill(qRgba(grey, grey, grey, 255));
+    layers[2].fill(qRgba(0, 0, 0, 255)); // no emission, no occlusion
+    for (int y = 0; y < normals.height(); ++y) {
+        const auto *from = reinterpret_cast<const QRgb *>(normals.constScanLine(y));
+        uchar *to = layers[1].scanLine(y);
+        for (int x = 0; x < normals.width(); ++x, to += 4) {
+            const int green = qGreen(from[x]);
+            to[0] = static_cast<uchar>(qRed(from[x]));
+            to[1] = static_cast<uchar>(greenDown ? std::min(255, 256 - green) : green);
+            to[2] = roughness;
+            to[3] = 0; // no metal
+        }
+    }
+    return layers;
+}
+
 //! A texture has no more pictures on many graphics cards.
 constexpr std::size_t mostTiles = 256;
 
@@ -89,8 +113,8 @@ std::set<int> touchedTiles(const MeshData &mesh, const UvMatrix &soupUv, double 
 }
 
 //! Lays the samples into a map, tile by tile.
-std::map<int, QImage> laidImages(const LiveBakeModel &model, const UvMatrix &soupUv, double tileHeight,
-                                 const std::atomic<bool> &stop)
+std::map<int, std::vector<QImage>> laidImages(const LiveBakeModel &model, const UvMatrix &soupUv,
+                                              double tileHeight, const std::atomic<bool> &stop)
 {
     ShadedSurface low = model.job->low;
     const std::set<int> tiles = touchedTiles(*low.mesh, soupUv, tileHeight);
@@ -101,10 +125,13 @@ std::map<int, QImage> laidImages(const LiveBakeModel &model, const UvMatrix &sou
     bake::TexelGrid grid;
     grid.width = static_cast<int>(std::ceil(side / std::max(1.0, tileHeight)));
     grid.height = static_cast<int>(std::ceil(side * std::min(1.0, tileHeight)));
-    std::map<int, QImage> images;
+    const bool lit =
+        model.samples->kind() == bake::MapKind::Normal && tiles.size() * litLayerCount <= mostTiles;
+    std::map<int, std::vector<QImage>> images;
     for (const int tile : tiles) {
         grid.tile = udimTile(tile, tileHeight);
-        images[tile] = imageOf(model.samples->lay(low, grid, JobContext(&stop)));
+        const QImage image = imageOf(model.samples->lay(low, grid, JobContext(&stop)));
+        images[tile] = lit ? litLayers(image, model.job->greenDown) : std::vector<QImage>{image};
         if (stop)
             break;
     }
@@ -182,6 +209,7 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
     mChoice = choice;
     mMap = map;
     mRefining = true;
+    mTold = false;
     mUpdates = 0;
     DocumentState model = document->state();
     // The map comes later, again and again; only the model's own textures need that of the beginning.
@@ -272,14 +300,16 @@ void LiveBake::showReceived()
 {
     if (!mBox || !mWorkspace.document())
         return;
-    std::map<int, QImage> tiles = mBox->take();
+    TilePictures tiles;
+    for (const auto &[tile, picture] : mBox->take())
+        tiles[tile] = {picture};
     if (tiles.empty())
         return;
     if (mPictures.images.empty())
         mReceivedFor = mWorkspace.document()->uv();
     // The others stay.
     for (const auto &[place, index] : mPictures.sets.empty() ? std::map<int, int>() : mPictures.sets[0].tiles)
-        tiles.try_emplace(PackingSettings::firstTile + place, mPictures.images[std::size_t(index)]);
+        tiles.try_emplace(PackingSettings::firstTile + place, 1, mPictures.images[std::size_t(index)]);
     show(mStop, tiles);
 }
 
@@ -330,12 +360,28 @@ void LiveBake::takeOver(const StopFlag &flag, const std::shared_ptr<const LiveBa
 {
     if (flag != mStop)
         return;
-    if (model->samples)
+    if (model->samples) {
         mModel = model;
+        tellMissed(*model);
+    }
     mRefining = pass < std::ssize(passes);
     if (mRefining)
         refine(model, pass);
     layAgain();
+}
+
+//! The picture has no values there.
+void LiveBake::tellMissed(const LiveBakeModel &model)
+{
+    // Single points at borders are not worth a word.
+    constexpr double fewestPercent = 0.1;
+    const double percent =
+        100 * double(model.samples->missed()) / double(std::max(1LL, model.samples->points()));
+    if (std::exchange(mTold, true) || percent < fewestPercent)
+        return;
+    Q_EMIT noticed(tr("%1 % of the surface found nothing of the detailed model: a larger cage "
+                      "reaches farther")
+                       .arg(percent, 0, 'f', 1));
 }
 
 void LiveBake::layAgain()
@@ -354,7 +400,7 @@ void LiveBake::layAgain()
         [model = mModel, flag = mStop, uv = mShownMap.uv(), tileHeight] {
             return laidImages(*model, uv, tileHeight, *flag);
         },
-        [self, flag = mStop](const std::map<int, QImage> &tiles) {
+        [self, flag = mStop](const TilePictures &tiles) {
             if (self)
                 self->show(flag, tiles);
         },
@@ -370,7 +416,7 @@ std::function<void(const QString &)> LiveBake::failing()
     };
 }
 
-void LiveBake::show(const StopFlag &flag, const std::map<int, QImage> &tiles)
+void LiveBake::show(const StopFlag &flag, const TilePictures &tiles)
 {
     if (flag != mStop)
         return;
@@ -378,10 +424,11 @@ void LiveBake::show(const StopFlag &flag, const std::map<int, QImage> &tiles)
     mPictures = {};
     if (!tiles.empty())
         mPictures.sets = {{}};
-    for (const auto &[tile, picture] : tiles) {
+    for (const auto &[tile, layers] : tiles) {
+        mPictures.layers = static_cast<int>(layers.size());
         mPictures.sets.front().tiles[tile - PackingSettings::firstTile] =
             static_cast<int>(mPictures.images.size());
-        mPictures.images.push_back(picture);
+        mPictures.images.insert(mPictures.images.end(), layers.begin(), layers.end());
     }
     mLaying = false;
     Q_EMIT changed();

@@ -22,8 +22,8 @@ struct MeshData;
 
 //! Shows one map of a bake in the views. Rays are traced once, at points all over the surface, first few and
 //! then more; whenever the shown map changes, what they found is laid into it anew, into all UDIM tiles in
-//! which it lies. Or it shows pictures that a job makes. All work is done on other threads. Ends when another
-//! model is opened.
+//! which it lies; normals are shown under light. Or it shows pictures that a job makes. All work is done on
+//! other threads. Ends when another model is opened.
 class LiveBake final : public QObject
 {
     Q_OBJECT
@@ -62,22 +62,29 @@ public:
     //! Received ones belong to the document's map when the first of them came: while another one is shown,
     //! there are none.
     const Pictures &pictures() const;
+    //! The pictures are a texture set with normals, to be shown under light.
+    bool isLit() const { return mPictures.layers > 1; }
     //! How often a picture was laid since the start; for measurements.
     int updates() const { return mUpdates; }
 
 Q_SIGNALS:
     //! isOn(), isRefining() or pictures() changed.
     void changed();
+    //! A part of the surface found nothing of the detailed model. Emitted once for each start.
+    //! \param message translated
+    void noticed(const QString &message);
     //! \param message translated
     void failed(const QString &message);
 
 private:
     using StopFlag = std::shared_ptr<std::atomic<bool>>;
+    using TilePictures = std::map<int, std::vector<QImage>>; //!< the layers of each tile, see Pictures
 
     void refine(std::shared_ptr<const LiveBakeModel> model, int pass);
     void takeOver(const StopFlag &flag, const std::shared_ptr<const LiveBakeModel> &model, int pass);
+    void tellMissed(const LiveBakeModel &model);
     void layAgain();
-    void show(const StopFlag &flag, const std::map<int, QImage> &tiles);
+    void show(const StopFlag &flag, const TilePictures &tiles);
     void showReceived();
     void followMap();
     std::function<void(const QString &)> failing();
@@ -89,7 +96,7 @@ private:
     StopFlag mStop;       //!< of what is under way; null: off
     BakeChoice mChoice;
     QString mMap;
-    bool mRefining = false, mLaying = false, mStale = false;
+    bool mRefining = false, mTold = false, mLaying = false, mStale = false;
     std::shared_ptr<const LiveBakeModel> mModel; //!< with samples; null until the first ones are there
     class Box;
     std::shared_ptr<Box> mBox; //!< null: nothing is received

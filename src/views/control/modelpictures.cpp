@@ -206,6 +206,7 @@ void ModelPictures::forget()
     mPaths.clear();
     watch({});
     Q_EMIT changed();
+    Q_EMIT loadingChanged();
 }
 
 void ModelPictures::loadIfShown()
@@ -230,7 +231,7 @@ void ModelPictures::loadIfShown()
         return self && self->mLoading == stop;
     };
     runOnPool(
-        *QThreadPool::globalInstance(),
+        backgroundPool(),
         [wanted = Wanted::by(document->state(), pattern == Pattern::Materials), path = scene.path,
          stop = mLoading]() mutable {
             Loaded loaded;
@@ -256,6 +257,7 @@ void ModelPictures::loadIfShown()
             nothing.problems << message;
             takeOver(nothing);
         });
+    Q_EMIT loadingChanged();
 }
 
 void ModelPictures::takeOver(const Loaded &loaded)
@@ -279,6 +281,7 @@ void ModelPictures::takeOver(const Loaded &loaded)
     mStates = loaded.states;
     watch(mPaths);
     Q_EMIT changed();
+    Q_EMIT loadingChanged();
     tellProblems(loaded.problems);
     mLookTimer.start(); // for what changed before it was watched
 }

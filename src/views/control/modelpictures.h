@@ -52,6 +52,8 @@ public:
 
 Q_SIGNALS:
     void changed();
+    //! isLoading() changed, or others are loaded.
+    void loadingChanged();
     //! Some textures cannot be shown. Emitted once for the same ones. \param message translated
     void noticed(const QString &message);
 

@@ -22,7 +22,8 @@ void SceneLight::prepare()
 {
     const ViewOptions &options = mView.options();
     const QString path = options.surroundings == Surroundings::File ? options.surroundingsPath : QString();
-    if (options.pattern != Pattern::Physical || (mWanted && options.surroundings == mKind && path == mPath))
+    const bool lit = options.pattern == Pattern::Physical || options.pattern == Pattern::Baked;
+    if (!lit || (mWanted && options.surroundings == mKind && path == mPath))
         return;
     mWanted = true;
     mKind = options.surroundings;
@@ -40,7 +41,7 @@ void SceneLight::prepare()
         return self && self->mLoading == stop;
     };
     runOnPool(
-        *QThreadPool::globalInstance(),
+        backgroundPool(),
         [kind = mKind, path, stop = mLoading] {
             Light light;
             Picture panorama;

@@ -2,6 +2,7 @@
 
 #include "model/document/document.h"
 #include "views/control/cageproposal.h"
+#include "views/ui/pooltask.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 #include "views/ui/reasons.h"
@@ -17,11 +18,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPointer>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSpinBox>
 
 #include <algorithm>
-#include <cmath>
 
 namespace autocuts {
 
@@ -32,7 +34,7 @@ namespace {
 constexpr int nameRole = Qt::UserRole;
 
 //! The formats and their bits.
-constexpr std::pair<const char *, int> formats[]{{"png", 8}, {"png", 16}, {"tif", 16},
+constexpr std::pair<const char *, int> formats[]{{"png", 8}, {"png", 16}, {"tif", 8}, {"tif", 16},
                                                  {"tga", 8}, {"exr", 16}, {"exr", 32}};
 
 template <class Widget>
@@ -42,12 +44,22 @@ Widget *named(const char *name, Widget *widget)
     return widget;
 }
 
+//! Shows as many decimals as a number has.
+class PercentBox final : public QDoubleSpinBox
+{
+public:
+    QString textFromValue(double value) const override
+    {
+        return locale().toString(value, 'f', QLocale::FloatingPointShortest);
+    }
+};
+
 //! \param value a share
 QDoubleSpinBox *makePercent(double low, double high, double value, const QString &tip)
 {
-    auto *box = new QDoubleSpinBox;
+    auto *box = new PercentBox;
+    box->setDecimals(4);
     box->setRange(low, high);
-    box->setDecimals(2);
     box->setSuffix(BakeDialog::tr(" %"));
     box->setValue(100 * value);
     box->setToolTip(tip);
@@ -60,7 +72,8 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
                        Questions &questions)
     : QDialog(questions.window()), mModel(document.state()), mHasUv(document.uv().array().isFinite().any()),
       mTextureSize(document.packingSettings().textureSize), mQuestions(questions), mFilters(filters),
-      mMaps(named("maps", new QListWidget)), mProblem(named("problem", new QLabel))
+      mMaps(named("maps", new QListWidget)), mCageNote(named("cageNote", new QLabel)),
+      mProblem(named("problem", new QLabel)), mOwnCage(last.ownCage)
 {
     setWindowTitle(tr("Bake"));
     auto *columns = new QHBoxLayout;
@@ -94,14 +107,19 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(browse, &QPushButton::clicked, this, &BakeDialog::browseFolder);
-    connect(&mMeasuring, &JobRunner::busyChanged, this, &BakeDialog::showState);
     connect(mMaps, &QListWidget::itemChanged, this, &BakeDialog::showState);
-    for (QLineEdit *edit : {mHigh, mCageFile, mFolder})
-        connect(edit, &QLineEdit::textChanged, this, [this] {
-            mMeasured.clear();
-            showState();
-        });
-    showState();
+    connect(mFolder, &QLineEdit::textChanged, this, &BakeDialog::showState);
+    for (QLineEdit *edit : {mHigh, mCageFile})
+        connect(edit, &QLineEdit::textChanged, this, &BakeDialog::sourceChanged);
+    connect(mCage, &QDoubleSpinBox::valueChanged, this, &BakeDialog::cageTyped);
+    // Also where it is the number that was there.
+    connect(mCage->findChild<QLineEdit *>(), &QLineEdit::textEdited, this, &BakeDialog::cageTyped);
+    sourceChanged();
+}
+
+BakeDialog::~BakeDialog()
+{
+    endMeasuring();
 }
 
 QWidget *BakeDialog::makeModels(const BakeChoice &last)
@@ -114,12 +132,15 @@ QWidget *BakeDialog::makeModels(const BakeChoice &last)
     mHigh->setClearButtonEnabled(true);
     mHigh->setMinimumWidth(220);
     mCage = named(
-        "cage", makePercent(0.01, 100, last.cage,
+        "cage", makePercent(1e-4, 100, last.cage,
                             tr("How far the detailed model is looked for, outside and inside of the surface; "
                                "100 % is the diagonal of the model")));
     mPropose = named("propose", new QPushButton(tr("Propose")));
     mPropose->setAutoDefault(false);
-    mPropose->setToolTip(tr("Measure how far the models are apart, and take that and a little more"));
+    mPropose->setToolTip(
+        tr("Measure how far the models are apart, and take that and half as much again; done "
+           "for each bake where no distance is typed"));
+    mCageNote->setWordWrap(true);
     auto *cageRow = new QWidget;
     auto *cage = new QHBoxLayout(cageRow);
     cage->setContentsMargins(0, 0, 0, 0);
@@ -144,13 +165,17 @@ QWidget *BakeDialog::makeModels(const BakeChoice &last)
     auto *form = new QFormLayout(group);
     form->addRow(tr("De&tailed model:"), pathRow(mHigh, browseHigh));
     form->addRow(tr("C&age:"), cageRow);
+    form->addRow(QString(), mCageNote);
     form->addRow(tr("Ca&ge file:"), pathRow(mCageFile, browseCage));
     form->addRow(tr("D&irection:"), mDirection);
     form->addRow(QString(), mByName);
     form->addRow(tr("&Maps:"), mMaps);
     connect(browseHigh, &QPushButton::clicked, this, &BakeDialog::browseDetailed);
     connect(browseCage, &QPushButton::clicked, this, &BakeDialog::browseCage);
-    connect(mPropose, &QPushButton::clicked, this, &BakeDialog::proposeCage);
+    connect(mPropose, &QPushButton::clicked, this, [this] {
+        mOwnCage = false;
+        proposeCage();
+    });
     return group;
 }
 
@@ -175,14 +200,14 @@ QWidget *BakeDialog::makePictures(const BakeChoice &last)
     mRays->setToolTip(tr("For occlusion, bent normals, curvature and thickness, in each texel"));
     mReach =
         named("reach",
-              makePercent(0, 1e6, last.reach,
+              makePercent(0, 1e8, last.reach,
                           tr("What is farther away casts no occlusion; 100 % is the diagonal of the model")));
     mReach->setSpecialValueText(tr("All"));
     mCurvature = named(
-        "curvature", makePercent(0.01, 100, last.curvatureRadius,
+        "curvature", makePercent(1e-4, 100, last.curvatureRadius,
                                  tr("Size of what shows as curvature; 100 % is the diagonal of the model")));
     mThickness =
-        named("thickness", makePercent(0.01, 1000, last.thicknessLimit,
+        named("thickness", makePercent(1e-4, 1000, last.thicknessLimit,
                                        tr("Thickness that is white; 100 % is the diagonal of the model")));
     mColors = named("colors", new QComboBox);
     mColors->addItem(tr("What the model has"), int(BakeChoice::Colors::Auto));
@@ -246,10 +271,8 @@ void BakeDialog::addMaps(const QStringList &chosen)
 void BakeDialog::browseDetailed()
 {
     const QString path = mQuestions.fileToOpen(tr("Detailed model"), choice().high, mFilters);
-    if (path.isEmpty())
-        return;
-    mHigh->setText(QDir::toNativeSeparators(path));
-    proposeCage();
+    if (!path.isEmpty())
+        mHigh->setText(QDir::toNativeSeparators(path));
 }
 
 void BakeDialog::browseCage()
@@ -259,23 +282,83 @@ void BakeDialog::browseCage()
         mCageFile->setText(QDir::toNativeSeparators(path));
 }
 
+//! A cage that nobody has typed is proposed for each detailed model.
+void BakeDialog::sourceChanged()
+{
+    const BakeChoice chosen = choice();
+    const bool wanted = !mOwnCage && chosen.cageFile.isEmpty() && QFileInfo(chosen.high).isFile();
+    if (!wanted)
+        endMeasuring();
+    else if (chosen.high != mMeasured)
+        proposeCage();
+    showState();
+}
+
 void BakeDialog::proposeCage()
 {
-    mMeasured.clear();
-    mMeasuring.abandon(); // of a model that was chosen before
-    mMeasuring.start(
-        tr("Measuring"),
-        [model = mModel, high = choice().high](JobControl &job) {
-            return proposedCage(model, high, job.stop());
+    endMeasuring();
+    mMeasuring = std::make_shared<std::atomic<bool>>(false);
+    const auto isWanted = [self = QPointer<BakeDialog>(this), stop = mMeasuring] {
+        return self && self->mMeasuring == stop;
+    };
+    // Not a job of the dialog: that would keep it from closing until the model is read.
+    runOnPool(
+        backgroundPool(),
+        [model = mModel, high = choice().high, stop = mMeasuring] {
+            return proposedCage(model, high, *stop);
         },
-        [this](const Result<double> &cage) {
-            if (cage)
-                mCage->setValue(std::ceil(1e4 * cage.value()) / 100);
-            else
-                mMeasured = cage.error().toString();
-            showState();
+        [this, isWanted](const Result<double> &cage) {
+            if (isWanted())
+                takeCage(cage);
+        },
+        [this, isWanted](const QString &message) {
+            if (isWanted())
+                takeCage(Error{message, choice().high, 0, {}});
         });
     showState();
+}
+
+void BakeDialog::takeCage(const Result<double> &cage)
+{
+    mMeasuring.reset();
+    if (cage) {
+        const QSignalBlocker blocker(mCage); // not typed
+        mCage->setValue(100 * cage.value());
+        mMeasured = choice().high;
+    } else {
+        mNotMeasured = cage.error().toString();
+    }
+    showState();
+}
+
+void BakeDialog::cageTyped()
+{
+    mOwnCage = true;
+    endMeasuring();
+    showState();
+}
+
+void BakeDialog::endMeasuring()
+{
+    if (mMeasuring)
+        *mMeasuring = true;
+    mMeasuring.reset();
+    mMeasured.clear();
+    mNotMeasured.clear();
+}
+
+QString BakeDialog::cageNote() const
+{
+    const BakeChoice chosen = choice();
+    if (chosen.high.isEmpty() && (chosen.maps.contains(u"ao"_s) || chosen.maps.contains(u"bent-normal"_s)))
+        return tr("Occlusion has no cage: it is that of this model by itself");
+    if (!mCage->isEnabled())
+        return {};
+    if (mMeasuring)
+        return tr("Measuring how far the models are apart...");
+    if (!mNotMeasured.isEmpty())
+        return mNotMeasured;
+    return mMeasured.isEmpty() ? QString() : tr("Proposed, from the distance of both models");
 }
 
 void BakeDialog::browseFolder()
@@ -293,16 +376,16 @@ void BakeDialog::showState()
         enableOrSay(widget, detailed, needsModel);
     enableOrSay(mCage, detailed && choice().cageFile.isEmpty(),
                 detailed ? tr("The cage file says how far rays go") : needsModel);
-    enableOrSay(mPropose, mCage->isEnabled() && !mMeasuring.isBusy() && QFileInfo(choice().high).isFile(),
+    enableOrSay(mPropose, mCage->isEnabled() && !mMeasuring && QFileInfo(choice().high).isFile(),
                 !detailed             ? needsModel
-                : mMeasuring.isBusy() ? tr("Measuring how far the models are apart...")
+                : mMeasuring          ? tr("Measuring how far the models are apart...")
                 : !mCage->isEnabled() ? tr("The cage file says how far rays go")
                                       : tr("Only measured for a model in a file"));
+    mCageNote->setText(cageNote());
+    mCageNote->setVisible(!mCageNote->text().isEmpty());
     const QString source = sourceProblem(), target = targetProblem();
     const QString problem = source.isEmpty() ? target : source;
-    mProblem->setText(!problem.isEmpty()    ? problem
-                      : mMeasuring.isBusy() ? tr("Measuring how far the models are apart...")
-                                            : mMeasured);
+    mProblem->setText(problem);
     disableFor(problem, mBake);
     disableFor(source, mLive);
 }
@@ -340,6 +423,7 @@ BakeChoice BakeDialog::choice() const
     choice.samplesPerSide = mSamples->currentData().toInt();
     choice.rays = mRays->value();
     choice.cage = mCage->value() / 100;
+    choice.ownCage = mOwnCage;
     choice.cageFile = QDir::fromNativeSeparators(mCageFile->text().trimmed());
     choice.reach = mReach->value() / 100;
     choice.curvatureRadius = mCurvature->value() / 100;

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "model/document/documentstate.h"
+#include "model/document/result.h"
 #include "views/control/bakechoice.h"
-#include "views/control/jobrunner.h"
 
 #include <QDialog>
+
+#include <atomic>
+#include <memory>
 
 class QCheckBox;
 class QComboBox;
@@ -33,6 +36,7 @@ public:
     //! \param last what was chosen last time \param filters of the detailed model's file
     BakeDialog(const Document &document, const BakeChoice &last, const QStringList &filters,
                Questions &questions);
+    ~BakeDialog() override;
 
     BakeChoice choice() const;
 
@@ -44,7 +48,12 @@ private:
     void browseDetailed();
     void browseCage();
     void browseFolder();
+    void sourceChanged();
     void proposeCage();
+    void takeCage(const Result<double> &cage);
+    void cageTyped();
+    void endMeasuring();
+    QString cageNote() const;
     void showState();
     QString sourceProblem() const;
     QString targetProblem() const;
@@ -60,10 +69,12 @@ private:
     QSpinBox *mWidth, *mRays, *mDilation;
     QDoubleSpinBox *mCage, *mReach, *mCurvature, *mThickness;
     QCheckBox *mByName, *mGreenDown, *mPutOn;
-    QLabel *mProblem;
+    QLabel *mCageNote, *mProblem;
     QPushButton *mPropose, *mBake, *mLive;
-    QString mMeasured; //!< why no cage is proposed
-    JobRunner mMeasuring{JobRunner::OnCancel::LetGo};
+    bool mOwnCage;                                 //!< the user has typed it
+    QString mMeasured;                             //!< the detailed model whose cage is shown; empty: none
+    QString mNotMeasured;                          //!< why no cage is proposed
+    std::shared_ptr<std::atomic<bool>> mMeasuring; //!< ends it; null: nothing is measured
 };
 
 } // namespace autocuts

@@ -1,9 +1,11 @@
 #include "views/dialogs/lightbakedialog.h"
 
 #include "model/document/document.h"
+#include "views/dialogs/albedoform.h"
 #include "views/dialogs/lampform.h"
 #include "views/dialogs/pathfield.h"
 #include "views/ui/colorbutton.h"
+#include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 #include "views/ui/reasons.h"
 
@@ -28,25 +30,13 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 //! The formats and their bits.
-constexpr std::pair<const char *, int> lightFormats[]{{"png", 8}, {"png", 16}, {"tif", 16},
+constexpr std::pair<const char *, int> lightFormats[]{{"png", 8}, {"png", 16}, {"tif", 8}, {"tif", 16},
                                                       {"tga", 8}, {"exr", 16}, {"exr", 32}};
-
-QColor shownColor(const Vec3f &linear)
-{
-    const auto part = [](float value) { return std::clamp(srgbFromLinear(value), 0.0F, 1.0F); };
-    return QColor::fromRgbF(part(linear.x()), part(linear.y()), part(linear.z()));
-}
-
-Vec3f linearColor(const QColor &color)
-{
-    const auto part = [](int value) { return linearFromSrgb(static_cast<float>(value) / 255); };
-    return {part(color.red()), part(color.green()), part(color.blue())};
-}
 
 ColorButton *makeColor(const QString &title, const Vec3f &linear, const char *name)
 {
     auto *button = new ColorButton(title);
-    button->setColor(shownColor(linear));
+    button->setLinear(linear);
     button->setObjectName(QLatin1StringView(name));
     button->setToolTip(title);
     button->setAutoDefault(false);
@@ -115,7 +105,9 @@ LightChoice LightBakeDialog::firstChoice(const Document &document, const QString
 LightBakeDialog::LightBakeDialog(const Document &document, const LightChoice &last, Questions &questions)
     : QDialog(questions.window()), mHasUv(document.uv().array().isFinite().any()),
       mLamps(new LampForm(document.state().scene, last.lights.areas, last.surface.emission)),
-      mPath(new PathField(tr("Light map"), questions)), mProblem(new QLabel)
+      mAlbedo(new AlbedoForm(document.uvSets(), last.surface, questions)),
+      mTextureSize(document.packingSettings().textureSize), mPath(new PathField(tr("Light map"), questions)),
+      mProblem(new QLabel)
 {
     setWindowTitle(tr("Bake light"));
     auto *left = new QVBoxLayout, *right = new QVBoxLayout;
@@ -125,6 +117,7 @@ LightBakeDialog::LightBakeDialog(const Document &document, const LightChoice &la
     left->addStretch();
     right->addWidget(makeMap(document, last));
     right->addWidget(makeQuality(last));
+    right->addWidget(mAlbedo);
     right->addWidget(makeFile(last));
     right->addStretch();
     auto *columns = new QHBoxLayout;
@@ -150,6 +143,7 @@ LightBakeDialog::LightBakeDialog(const Document &document, const LightChoice &la
     });
     for (QCheckBox *box : {mDirect, mIndirect})
         connect(box, &QCheckBox::toggled, this, &LightBakeDialog::showState);
+    connect(mAlbedo, &AlbedoForm::changed, this, &LightBakeDialog::showState);
     connect(mLamps, &LampForm::changed, this, &LightBakeDialog::showState);
     connect(mPath, &PathField::pathChanged, this, &LightBakeDialog::showState);
     showState();
@@ -235,15 +229,12 @@ QWidget *LightBakeDialog::makeMap(const Document &document, const LightChoice &l
     mUvSet->setToolTip(
         tr("The map that light is baked into. In a map for lightmaps no islands lie on each other: a "
            "new one is made of the active map, and packed with the margin of the Packing panel"));
-    mSize = makeBox("size");
-    const PackingSettings &packing = document.packingSettings();
-    const int own = std::min(packing.textureSize, maxLightMapSide);
-    mSize->addItem(tr("%1, as in the Packing panel").arg(own),
-                   packing.textureSize > maxLightMapSide ? own : 0);
-    for (int side = 64; side <= maxLightMapSide; side *= 2)
-        mSize->addItem(QString::number(side), side);
-    choose(*mSize, last.textureSize);
-    mSize->setToolTip(tr("Texels along the width"));
+    mSize = makeCount(PreferenceLimits::minTextureSize, maxLightMapSide,
+                      last.textureSize > 0 ? last.textureSize : mTextureSize, "size");
+    mSize->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    mSize->setSuffix(tr(" px"));
+    mSize->setToolTip(tr("Width of the picture; at first that of the texture in the Packing panel, whose "
+                         "proportions it has"));
     mValues = makeBox("values");
     mValues->addItem(tr("Light, times the colour of the surface it is what is seen"),
                      int(LightChoice::Values::Light));
@@ -327,6 +318,8 @@ QString LightBakeDialog::problem() const
         return tr("The model has no UVs: unwrap it first.");
     if (const QString problem = mLamps->problem(); !problem.isEmpty())
         return problem;
+    if (const QString problem = mAlbedo->problem(); !problem.isEmpty())
+        return problem;
     const LightChoice chosen = choice();
     const bool dark = chosen.lights.sunHidden && !chosen.lights.day && chosen.lights.sky->empty() &&
                       chosen.lights.areas.empty() && chosen.surface.emission.empty();
@@ -354,20 +347,21 @@ LightChoice LightBakeDialog::choice() const
     lights.sunHidden = !mSun->isChecked();
     lights.sunStrength = mSunStrength->value();
     lights.sunAngle = mSunAngle->value();
-    lights.sunColor = linearColor(mSunColor->color());
+    lights.sunColor = mSunColor->linear();
     const auto kind = SkyKind(mSky->currentData().toInt());
     lights.sky.emplace();
     const std::size_t colors = kind == SkyKind::Color ? 1 : kind == SkyKind::Gradient ? 3 : 0;
     for (std::size_t k = 0; k < colors; ++k)
-        lights.sky->push_back(linearColor(mSkyColors[k]->color()));
+        lights.sky->push_back(mSkyColors[k]->linear());
     lights.day = kind == SkyKind::Day;
     lights.skyStrength = mSkyStrength->value();
     lights.turbidity = mTurbidity->value();
     lights.areas = mLamps->areas().value_or(std::vector<LightPlan::Area>());
     lights.zUp = mUp->currentData().toBool();
+    mAlbedo->apply(choice.surface);
     choice.surface.emission = mLamps->emission().value_or(LampForm::Emission());
     choice.uvSet = mUvSet->currentData().toInt();
-    choice.textureSize = mSize->currentData().toInt();
+    choice.textureSize = mSize->value() == mTextureSize ? 0 : mSize->value();
     choice.values = LightChoice::Values(mValues->currentData().toInt());
     choice.dilation = mDilation->value();
     choice.samples = mSamples->value();

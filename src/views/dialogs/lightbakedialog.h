@@ -17,6 +17,7 @@ class QSpinBox;
 
 namespace autocuts {
 
+class AlbedoForm;
 class ColorButton;
 class Document;
 class LampForm;
@@ -55,8 +56,10 @@ private:
     QComboBox *mSky, *mUp;
     std::array<ColorButton *, 3> mSkyColors; //!< zenith, horizon, ground
     LampForm *mLamps;
-    QComboBox *mUvSet, *mSize, *mValues, *mFormat;
-    QSpinBox *mSamples, *mBounces, *mDilation;
+    AlbedoForm *mAlbedo;
+    int mTextureSize; //!< of the document
+    QComboBox *mUvSet, *mValues, *mFormat;
+    QSpinBox *mSize, *mSamples, *mBounces, *mDilation;
     QCheckBox *mDirect, *mIndirect, *mDenoise;
     PathField *mPath;
     QLabel *mProblem;

@@ -3,6 +3,7 @@
 #include "model/document/document.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
@@ -22,7 +23,8 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr int progressWidth = 140, widestSelection = 260;
-constexpr int settleDelay = 120; // milliseconds
+constexpr int settleDelay = 120;  // milliseconds
+constexpr int loadingDelay = 150; // milliseconds; what is read sooner is not worth a word
 
 double selectedArea(const Document &document)
 {
@@ -105,6 +107,12 @@ StatusBar::StatusBar(const StudioContext &context, QWidget *parent)
         mSelectionStale = true;
         refresh();
     });
+    mLoadingTimer.setSingleShot(true);
+    mLoadingTimer.setInterval(loadingDelay);
+    connect(&mLoadingTimer, &QTimer::timeout, this, [this] {
+        mLoadingLong = true;
+        showJob();
+    });
     connectAll();
     refresh();
     showJob();
@@ -169,6 +177,14 @@ void StatusBar::connectAll()
     connect(&mContext.solver, &SolverController::statusChanged, this, &StatusBar::refreshSoon);
     connect(&mContext.solver, &SolverController::stateChanged, this, &StatusBar::refreshSoon);
     connect(&mContext.map, &MapController::figuresChanged, this, &StatusBar::refreshSoon);
+    connect(&mContext.pictures, &ModelPictures::loadingChanged, this, [this] {
+        mLoadingLong = false;
+        if (mContext.pictures.isLoading())
+            mLoadingTimer.start();
+        else
+            mLoadingTimer.stop();
+        showJob();
+    });
     for (const JobRunner *jobs : {&mContext.map.jobs(), &mContext.files.jobs()}) {
         connect(jobs, &JobRunner::busyChanged, this, &StatusBar::showJob);
         connect(jobs, &JobRunner::progressChanged, this, &StatusBar::showJob);
@@ -213,10 +229,10 @@ JobRunner *StatusBar::runningJob() const
 void StatusBar::showJob()
 {
     const JobRunner *job = runningJob();
-    mProgress->setVisible(job != nullptr);
+    mProgress->setVisible(job || mLoadingLong);
     mCancel->setVisible(job != nullptr);
-    if (job) {
-        const double progress = job->progress();
+    if (mProgress->isVisibleTo(this)) {
+        const double progress = job ? job->progress() : -1;
         // A job of unknown length only shows activity.
         mProgress->setRange(0, progress < 0 ? 0 : 100);
         mProgress->setValue(static_cast<int>(100 * std::max(0.0, progress)));
@@ -233,6 +249,8 @@ void StatusBar::showLeftText()
     else if (job)
         text = job->stage().isEmpty() ? tr("%1…").arg(job->title())
                                       : tr("%1: %2").arg(job->title(), job->stage());
+    if (mLoadingLong && !job)
+        text = mMessage.isEmpty() ? tr("Reading textures…") : tr("%1 – reading textures…").arg(mMessage);
     mText->setText(text);
 }
 

@@ -67,7 +67,9 @@ private:
     StudioContext mContext;
     QString mHint, mMessage;
     QTimer mMessageTimer, mRefreshTimer;
-    QTimer mIslandsRest; //!< runs while the map is being edited
+    QTimer mIslandsRest;  //!< runs while the map is being edited
+    QTimer mLoadingTimer; //!< runs while nothing is said yet of textures that are being read
+    bool mLoadingLong = false;
     bool mSelectionStale = true;
     ElidedLabel *mText, *mSelection;
     FigureStrip *mFigures;

@@ -1,6 +1,8 @@
 // A button for choosing a colour.
 #pragma once
 
+#include "model/plain/shadedsurface.h"
+
 #include <QColor>
 #include <QPushButton>
 
@@ -17,6 +19,9 @@ public:
 
     const QColor &color() const { return mColor; }
     void setColor(const QColor &color);
+    //! In linear light; a part above 1 is shown as 1.
+    Vec3f linear() const;
+    void setLinear(const Vec3f &color);
 
 Q_SIGNALS:
     void colorChanged();

@@ -2,6 +2,14 @@
 
 namespace autocuts {
 
+QThreadPool &backgroundPool()
+{
+    static QThreadPool pool;
+    // Before the application is gone, to which results are passed.
+    [[maybe_unused]] static const bool awaited = (qAddPostRoutine([] { pool.waitForDone(); }), true);
+    return pool;
+}
+
 QString noMemoryText()
 {
     return QCoreApplication::translate(

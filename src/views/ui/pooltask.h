@@ -16,6 +16,11 @@ namespace autocuts {
 //! What is said when memory does not suffice. Translated, one line.
 QString noMemoryText();
 
+//! The threads for short work. Not Qt's own pool: where that is full, Qt's conversions of images wait in the
+//! GUI thread until one of its threads is free, that is, until files are read. The end of the program waits
+//! for it.
+QThreadPool &backgroundPool();
+
 //! Runs work on a thread of a pool and passes its result on in the GUI thread. An exception ends this work
 //! only: failed() gets a message, translated, one line, in the GUI thread as well. The pool does not wait for
 //! take() and failed(): they look themselves whether their receiver is still there.
