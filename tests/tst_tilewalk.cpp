@@ -25,7 +25,7 @@ constexpr int parts = 14;
 constexpr double leastGap = 4;       //!< texels
 constexpr double leastChange = 0.03; //!< of a scale, see densityGroups()
 //! Share of their scale that islands keep where they have to be made smaller, in full tiles.
-constexpr double leastSaid = 0.8;
+constexpr double leastSaid = 0.5;
 
 //! How a part lies in the map.
 struct Place
