@@ -210,7 +210,7 @@ void TestCliBake::aProposedCage()
     const QJsonObject last = report({u"--cage"_s, u"auto"_s, u"--cage"_s, u"0.03"_s});
     QCOMPARE(last.value(u"cage"_s).toDouble(), 0.03);
     QVERIFY(!report({u"--cage-file"_s, at("cage.obj")}).contains(u"cage"_s));
-    QVERIFY(writeMesh(sceneOf({test::box(4, Vec3(3, 3, 3)), UvMatrix(0, 2)}, u"far"_s), at("far.obj")).ok());
+    QVERIFY(writeMesh(sceneOf({test::box(4, Vec3(9, 9, 9)), UvMatrix(0, 2)}, u"far"_s), at("far.obj")).ok());
     const QJsonObject far = report({u"--cage"_s, u"auto"_s, u"--high"_s, at("far.obj")});
     QVERIFY(far.value(u"said"_s).toString().contains(u"nowhere near"_s));
     QCOMPARE(far.value(u"cage"_s).toDouble(), 0.02);

@@ -213,11 +213,11 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("command");
         QTest::addColumn<QStringList>("names");
-        const QStringList common{u"-o"_s,        u"--texture-size"_s, u"--margin"_s,  u"--rotation"_s,
-                                 u"--tile"_s,    u"--pack-time"_s,    u"--layout"_s,  u"--report"_s,
-                                 u"--threads"_s, u"--time-limit"_s,   u"--seed"_s,    u"--only"_s,
-                                 u"--border"_s,  u"--tile-border"_s,  u"--objects"_s, u"--materials"_s,
-                                 u"--uv-set"_s,  u"--new-uv-set"_s};
+        const QStringList common{u"-o"_s,        u"--texture-size"_s, u"--margin"_s,     u"--rotation"_s,
+                                 u"--tile"_s,    u"--pack-time"_s,    u"--layout"_s,     u"--report"_s,
+                                 u"--threads"_s, u"--time-limit"_s,   u"--seed"_s,       u"--only"_s,
+                                 u"--border"_s,  u"--tile-border"_s,  u"--objects"_s,    u"--materials"_s,
+                                 u"--uv-set"_s,  u"--new-uv-set"_s,   u"--make-unique"_s};
         QStringList lightmap = common;
         for (const QString &name : {u"--only"_s, u"--objects"_s, u"--materials"_s, u"--border"_s})
             lightmap.removeOne(name);
@@ -242,7 +242,8 @@ private Q_SLOTS:
             << words(u"-o --from --from-uv-set --from-object --textures --match --texture-size --only "
                      u"--objects "
                      u"--materials "
-                     "--border --uv-set --new-uv-set --layout --report --threads --time-limit --seed"_s);
+                     "--border --uv-set --new-uv-set --make-unique --layout --report --threads --time-limit "
+                     "--seed"_s);
         QTest::newRow("lightbake")
             << u"lightbake"_s
             << words(u"-o --sun --sun-strength --sun-angle --sun-color --sky --sky-strength --turbidity "
@@ -251,7 +252,8 @@ private Q_SLOTS:
                      "--threads --time-limit"_s);
         QTest::newRow("check") << u"check"_s
                                << words(u"--texture-size --json --uv-set --only --objects --materials"_s);
-        QTest::newRow("convert") << u"convert"_s << QStringList{u"-o"_s, u"--uv-set"_s, u"--force"_s};
+        QTest::newRow("convert") << u"convert"_s
+                                 << QStringList{u"-o"_s, u"--uv-set"_s, u"--force"_s, u"--make-unique"_s};
         for (const QString &name : {u"replay"_s, u"sample"_s})
             QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
     }

@@ -226,5 +226,5 @@ private:
     QTemporaryDir mFolder;
 };
 
-QTEST_MAIN(TestUniqueMeshes)
+QTEST_GUILESS_MAIN(TestUniqueMeshes)
 #include "tst_uniquemeshes.moc"
