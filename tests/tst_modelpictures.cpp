@@ -236,6 +236,7 @@ private Q_SLOTS:
         // Each view reads the pictures of both tiles by itself.
         QTRY_VERIFY(isNear(desk.onModel(0), red) && isNear(desk.onModel(1), green));
         desk.window.uvView().frameAll();
+        QVERIFY(desk.measured()); // from then on tiles are tinted, but where pictures are shown
         QTRY_VERIFY(isNear(desk.inMap(0.2, 0.2), red) && isNear(desk.inMap(1.7, 0.2), green));
         const QColor left = desk.inMap(0.5, 0.9), right = desk.inMap(1.5, 0.9);
         QVERIFY(left.red() > left.green() + 20 && right.green() > right.red() + 20);

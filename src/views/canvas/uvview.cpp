@@ -307,12 +307,17 @@ void UvView::drawOverlay(QPainter &painter)
 std::vector<std::pair<int, QColor>> UvView::tilesInUse() const
 {
     constexpr int tint = 70; // of 255
+    const Pattern pattern = studio().view.options().pattern;
+    // The colours of pictures are to be seen as they are.
+    const bool isTinted =
+        pattern == Pattern::None || pattern == Pattern::Checker || pattern == Pattern::Lettered;
     const MapFigures &figures = *studio().map.figures();
     const Scene &scene = studio().workspace.document()->state().scene;
     std::vector<std::pair<int, QColor>> tiles;
     for (const metrics::TileFigures &tile : figures.metrics.tiles) {
         QColor color;
-        if (const auto found = figures.tileMaterial.find(tile.tile); found != figures.tileMaterial.end()) {
+        if (const auto found = figures.tileMaterial.find(tile.tile);
+            isTinted && found != figures.tileMaterial.end()) {
             color = shownMaterialColor(scene, found->second);
             color.setAlpha(tint);
         }
