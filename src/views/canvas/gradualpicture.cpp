@@ -11,10 +11,6 @@ namespace {
 
 //! Nanoseconds that a piece should take. Chosen by hand.
 constexpr double pieceTime = 6e6;
-//! Pixels of triangles that a piece may have in any case. Each piece also takes a time that does not depend
-//! on its pixels, much of it where the machine is busy: without this bound, pieces became smaller and smaller
-//! and the picture was never complete. Chosen by hand; software OpenGL takes 4 to 16 ms for them.
-constexpr double leastWeight = 16384;
 //! By how much the time for a pixel may seem to grow and to fall from one piece to the next: a piece takes
 //! long by chance where the machine does something else. Chosen by hand.
 constexpr double mostGrowth = 4, mostFall = 0.5;
@@ -141,7 +137,7 @@ void GradualPicture::goOn(const MapRenderers &gl, int milliseconds)
 
 double GradualPicture::mostWeight() const
 {
-    return std::max(leastWeight, pieceTime / mPixelTime);
+    return std::max(1.0, pieceTime / mPixelTime);
 }
 
 void GradualPicture::learn(double weight, double nanoseconds)
