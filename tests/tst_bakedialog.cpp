@@ -1,6 +1,7 @@
 // Baking in the studio: the dialog by mouse and keys, the job, its files, Cancel, and a solve that runs.
 #include "commands/changesettings.h"
 #include "commands/edittextures.h"
+#include "jobs/bakechoice.h"
 #include "model/io/meshfile.h"
 #include "model/io/picturefiles.h"
 #include "support/damagedsessions.h"
@@ -8,7 +9,6 @@
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
-#include "views/control/bakechoice.h"
 #include "views/control/filecontroller.h"
 #include "views/control/livebake.h"
 #include "views/control/mapcontroller.h"
@@ -67,7 +67,7 @@ struct DialogUser
         QTest::keyClick(maps, Qt::Key_Space);
     }
     QString problem() const { return find<QLabel>("problem")->text(); }
-    BakeChoice choice() const { return static_cast<BakeDialog &>(dialog).choice(); }
+    jobs::BakeChoice choice() const { return static_cast<BakeDialog &>(dialog).choice(); }
     int bake() const
     {
         QTest::mouseClick(find<QPushButton>("bake"), Qt::LeftButton);
@@ -183,7 +183,7 @@ void TestBakeDialog::picturesAreBaked()
 void TestBakeDialog::everyChoiceIsKept()
 {
     BakeSession session;
-    BakeChoice first;
+    jobs::BakeChoice first;
     session.bake([&](const DialogUser &user) {
         user.type("high", session.high);
         user.toggle(0);
@@ -213,17 +213,17 @@ void TestBakeDialog::everyChoiceIsKept()
     QCOMPARE(first.curvatureRadius, 0.03);
     QCOMPARE(first.thicknessLimit, 0.5);
     QCOMPARE(first.cageFile, session.low);
-    QVERIFY(first.colors == BakeChoice::Colors::Materials && !first.putOn);
+    QVERIFY(first.colors == ColorSource::Materials && !first.putOn);
     QVERIFY(session.document()->state().textureSets.empty());
     QCOMPARE(first.rays, 5);
     QCOMPARE(first.dilation, 3);
     QVERIFY(first.ownCage);
     QCOMPARE(first.cage, 0.07);
     QVERIFY(first.byName && first.greenDown);
-    QVERIFY(first.direction == BakeChoice::Direction::Shading);
+    QVERIFY(first.direction == bake::CageDirection::Shading);
     QCOMPARE(first.bits, 16);
     session.bake([&](const DialogUser &user) {
-        const BakeChoice second = static_cast<BakeDialog &>(user.dialog).choice();
+        const jobs::BakeChoice second = static_cast<BakeDialog &>(user.dialog).choice();
         [&] { QVERIFY(second == first); }();
         QTest::keyClick(&user.dialog, Qt::Key_Escape);
         return user.dialog.result();
@@ -238,7 +238,7 @@ void TestBakeDialog::everyChoiceIsKept()
     later.context.files.open(saved);
     QVERIFY(later.jobsRest());
     later.bake([&](const DialogUser &user) {
-        const BakeChoice third = static_cast<BakeDialog &>(user.dialog).choice();
+        const jobs::BakeChoice third = static_cast<BakeDialog &>(user.dialog).choice();
         [&] { QVERIFY(third == first); }();
         QTest::keyClick(&user.dialog, Qt::Key_Escape);
         return user.dialog.result();
@@ -419,14 +419,14 @@ void TestBakeDialog::everyMapHasATitle()
 {
     BakeSession session;
     session.bake([&](const DialogUser &user) {
-        [&] { QCOMPARE(user.find<QListWidget>("maps")->count(), bakeMapNames().size()); }();
-        BakeChoice all = static_cast<BakeDialog &>(user.dialog).choice();
-        for (int i = 0; i < bakeMapNames().size(); ++i) {
-            if (!all.maps.contains(bakeMapNames()[i]))
+        [&] { QCOMPARE(user.find<QListWidget>("maps")->count(), jobs::bakeMapNames().size()); }();
+        jobs::BakeChoice all = static_cast<BakeDialog &>(user.dialog).choice();
+        for (int i = 0; i < jobs::bakeMapNames().size(); ++i) {
+            if (!all.maps.contains(jobs::bakeMapNames()[i]))
                 user.toggle(i);
         }
         all = static_cast<BakeDialog &>(user.dialog).choice();
-        [&] { QCOMPARE(all.maps, bakeMapNames()); }();
+        [&] { QCOMPARE(all.maps, jobs::bakeMapNames()); }();
         return 0;
     });
 }
@@ -646,7 +646,7 @@ void TestBakeDialog::anotherMapIsShownLive()
     QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0, 60000);
     auto *maps = session.window.findChild<QComboBox *>(u"bakedMap"_s);
     QTRY_COMPARE(maps->currentData().toString(), u"normal"_s);
-    QCOMPARE(maps->count(), bakeMapNames().size());
+    QCOMPARE(maps->count(), jobs::bakeMapNames().size());
     const QImage normals = live.pictures().images.front();
     // By the keys to the height, without reading the detailed model again.
     QVERIFY(QFile::remove(session.high));

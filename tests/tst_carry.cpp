@@ -3,9 +3,9 @@
 #include "commands/journalrecorder.h"
 #include "commands/replay.h"
 #include "commands/setuvs.h"
+#include "jobs/carrytextures.h"
 #include "model/document/carriedsurface.h"
 #include "model/document/shadedscene.h"
-#include "model/io/carriedtextures.h"
 #include "model/io/meshfile.h"
 #include "model/io/texturefiles.h"
 #include "solver/bake/carrying.h"
@@ -330,10 +330,10 @@ void TestCarry::trianglesInAnotherOrder()
 void TestCarry::plans()
 {
     const DocumentState state = texturedState(mFolder.path());
-    const CarryPlan plan = planCarrying(state, {mFolder.path(), u"_uv2"_s, false, {}});
+    const jobs::CarryPlan plan = jobs::planCarrying(state, {mFolder.path(), u"_uv2"_s, false, {}});
     QVERIFY(plan.missing.isEmpty());
     QStringList names;
-    for (const CarriedPicture &picture : plan.pictures)
+    for (const jobs::CarriedPicture &picture : plan.pictures)
         names << QFileInfo(picture.newFile).fileName();
     QCOMPARE(names, (QStringList{u"a_BaseColor_uv2.png"_s, u"a_ORM_uv2.png"_s, u"shared_Normal_uv2.tif"_s,
                                  u"b_BaseColor_uv2.png"_s}));
@@ -341,10 +341,10 @@ void TestCarry::plans()
     QCOMPARE(plan.pictures[2].materials, (std::vector{0, 1}));
     QVERIFY(plan.pictures[2].kind == TextureKind::Normal);
     QVERIFY(plan.overwrittenSource().isEmpty());
-    QVERIFY(!planCarrying(state, {mFolder.path(), {}, false, {}}).overwrittenSource().isEmpty());
+    QVERIFY(!jobs::planCarrying(state, {mFolder.path(), {}, false, {}}).overwrittenSource().isEmpty());
     // Names that end so already get the new number.
     DocumentState again = state;
-    again.textureSets = carriedSets(state, plan);
+    again.textureSets = jobs::carriedSets(state, plan);
     writePictures(mFolder.filePath(u"uv2"_s));
     for (TextureSet &set : again.textureSets) {
         for (auto &[channel, entry] : set) {
@@ -352,7 +352,7 @@ void TestCarry::plans()
                 QVERIFY(QFile::copy(at("a_BaseColor.png"), entry.picture.file));
         }
     }
-    const CarryPlan second = planCarrying(again, {mFolder.path(), u"_uv3"_s, false, {}});
+    const jobs::CarryPlan second = jobs::planCarrying(again, {mFolder.path(), u"_uv3"_s, false, {}});
     QVERIFY(second.pictures.front().newFile.endsWith(u"/a_BaseColor_uv3.png"_s));
     QCOMPARE(second.missing, (QStringList{u"a_ORM_uv2.png"_s, u"shared_Normal_uv2.tif"_s}));
     for (const char *name : {"a_BaseColor_uv2.png", "b_BaseColor_uv2.png"})
@@ -368,11 +368,12 @@ void TestCarry::tiledNames()
     DocumentState state = DocumentState::initial(sceneOf(mappedBox()));
     const ChannelPicture picture{{folder + u"/c_BaseColor.<UDIM>.png"_s, {}}, -1, false, 1, false};
     state.textureSets = {{}, {{Channel::BaseColor, picture}}};
-    const CarryPlan plan = planCarrying(state, {folder, u"_uv2"_s, false, {}});
+    const jobs::CarryPlan plan = jobs::planCarrying(state, {folder, u"_uv2"_s, false, {}});
     QCOMPARE(QFileInfo(plan.pictures.at(0).newFile).fileName(), u"c_BaseColor_uv2.<UDIM>.png"_s);
     QVERIFY(plan.existingFiles().isEmpty());
     // A single picture that becomes several.
-    const CarryPlan several = planCarrying(texturedState(mFolder.path()), {folder, u"_x"_s, true, u"tga"_s});
+    const jobs::CarryPlan several =
+        jobs::planCarrying(texturedState(mFolder.path()), {folder, u"_x"_s, true, u"tga"_s});
     QCOMPARE(QFileInfo(several.pictures.at(0).newFile).fileName(), u"a_BaseColor_x.<UDIM>.tga"_s);
 }
 
@@ -387,21 +388,15 @@ void TestCarry::tilesAreFilled()
     for (int c = after.mesh->cornerCount() / 2; c < after.mesh->cornerCount(); ++c)
         uv(c, 0) += 1; // the second material
     const bake::CarryModel model{shadedSurface(after), shadedSurface(state.scene), true, {}, 2};
-    const Result<CarriedFiles> files = carryPictures(
-        planCarrying(state, {folder, {}, true, {}}), after.faceMaterial,
-        [&](const CarrySource &source, const auto &sink) {
-            carryTexture(model,
-                         {source.picture, source.kind, source.faces, source.width, source.height, false},
-                         sink, JobContext());
-        },
-        {[] { return false; }, [](int) {}});
+    const Result<jobs::CarriedFiles> files = jobs::carryPictures(
+        jobs::planCarrying(state, {folder, {}, true, {}}), after.faceMaterial, model, {}, {});
     QVERIFY(files.ok());
     QStringList names;
     for (const QString &file : files->files)
         names << QFileInfo(file).fileName();
     QCOMPARE(names, (QStringList{u"a_BaseColor.1001.png"_s, u"a_ORM.1001.png"_s, u"shared_Normal.1001.tif"_s,
                                  u"shared_Normal.1002.tif"_s, u"b_BaseColor.1002.png"_s}));
-    QCOMPARE(textureTiles(carriedSets(state, files->plan)[1].at(Channel::Normal).picture.file).size(),
+    QCOMPARE(textureTiles(jobs::carriedSets(state, files->plan)[1].at(Channel::Normal).picture.file).size(),
              std::size_t(2));
 }
 
@@ -410,17 +405,17 @@ void TestCarry::freeNames()
     const DocumentState state = texturedState(mFolder.path());
     const QString folder = mFolder.filePath(u"free"_s);
     QVERIFY(QDir().mkpath(folder));
-    const CarryTarget target{folder, {}, false, {}};
-    QCOMPARE(freeSuffix(state, target), u"_uv2"_s);
+    const jobs::CarryTarget target{folder, {}, false, {}};
+    QCOMPARE(jobs::freeSuffix(state, target), u"_uv2"_s);
     QVERIFY(QFile::copy(at("a_ORM.png"), folder + u"/a_ORM_uv2.png"_s));
-    QCOMPARE(freeSuffix(state, target), u"_uv3"_s);
+    QCOMPARE(jobs::freeSuffix(state, target), u"_uv3"_s);
 }
 
 void TestCarry::setsAreKept()
 {
     const DocumentState state = texturedState(mFolder.path());
-    const CarryPlan plan = planCarrying(state, {mFolder.path(), u"_uv2"_s, false, {}});
-    const std::vector<TextureSet> sets = carriedSets(state, plan);
+    const jobs::CarryPlan plan = jobs::planCarrying(state, {mFolder.path(), u"_uv2"_s, false, {}});
+    const std::vector<TextureSet> sets = jobs::carriedSets(state, plan);
     QCOMPARE(sets.size(), state.textureSets.size());
     QCOMPARE(sets[1].at(Channel::Metalness).component, 2);
     QVERIFY(sets[1].at(Channel::Metalness).picture.file.endsWith(u"/a_ORM_uv2.png"_s));
@@ -436,14 +431,8 @@ void TestCarry::materialsKeepApart()
     QVERIFY(QDir().mkpath(folder));
     const Scene after = sceneOf(mappedBox(90), 2);
     const bake::CarryModel model{shadedSurface(after), shadedSurface(state.scene), true, {}, 2};
-    const Result<CarriedFiles> files = carryPictures(
-        planCarrying(state, {folder, {}, false, {}}), after.faceMaterial,
-        [&](const CarrySource &source, const auto &sink) {
-            carryTexture(model,
-                         {source.picture, source.kind, source.faces, source.width, source.height, false},
-                         sink, JobContext());
-        },
-        {[] { return false; }, [](int) {}});
+    const Result<jobs::CarriedFiles> files = jobs::carryPictures(
+        jobs::planCarrying(state, {folder, {}, false, {}}), after.faceMaterial, model, {}, {});
     QVERIFY(files.ok());
     QCOMPARE(files->files.size(), 4);
     const Result<Picture> a = readPicture(folder + u"/a_BaseColor.png"_s),
@@ -465,41 +454,40 @@ void TestCarry::nothingHalfIsWritten()
     const DocumentState state = texturedState(mFolder.path());
     const QString folder = mFolder.filePath(u"half"_s);
     QVERIFY(QDir().mkpath(folder));
-    const CarryPlan plan = planCarrying(state, {folder, {}, false, {}});
-    int baked = 0;
-    const auto bake = [&](const CarrySource &, const auto &sink) {
-        ++baked;
-        sink(1001, Picture(4, 4, 3));
-    };
+    const jobs::CarryPlan plan = jobs::planCarrying(state, {folder, {}, false, {}});
+    const Scene after = sceneOf(mappedBox(), 2);
+    const bake::CarryModel model{shadedSurface(after), shadedSurface(state.scene), true, {}, 2};
     const auto names = [&] {
         return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
     };
-    const Result<CarriedFiles> stopped =
-        carryPictures(plan, state.scene.faceMaterial, bake, {[&] { return baked == 2; }, [](int) {}});
+    std::atomic<bool> stop = false;
+    const JobContext untilHalf(&stop, 1,
+                               [&stop](const JobProgress &progress) { stop = progress.fraction >= .5; });
+    const Result<jobs::CarriedFiles> stopped =
+        jobs::carryPictures(plan, after.faceMaterial, model, {}, untilHalf);
     QVERIFY(stopped.ok() && stopped->stopped);
+    QCOMPARE(stopped->plan.pictures.size(), std::size_t(2));
     QVERIFY2(names().isEmpty(), qPrintable(names().join(u',')));
     // A picture that cannot be read is left out, the others are made.
     const QString broken = mFolder.filePath(u"broken"_s);
     writePictures(broken);
     QVERIFY(test::writeBytes(broken + u"/a_ORM.png"_s, "no picture"));
     const DocumentState other = texturedState(broken);
-    const Result<CarriedFiles> partly =
-        carryPictures(planCarrying(other, {folder, {}, false, {}}), other.scene.faceMaterial, bake,
-                      {[] { return false; }, [](int) {}});
+    const Result<jobs::CarriedFiles> partly = jobs::carryPictures(
+        jobs::planCarrying(other, {folder, {}, false, {}}), after.faceMaterial, model, {}, {});
     QVERIFY(partly.ok());
     QCOMPARE(partly->files.size(), 3);
     QCOMPARE(partly->problems.size(), 1);
     QVERIFY(partly->problems.front().contains(u"a_ORM.png"_s));
-    QVERIFY(carriedSets(other, partly->plan)[1].at(Channel::Roughness) ==
+    QVERIFY(jobs::carriedSets(other, partly->plan)[1].at(Channel::Roughness) ==
             other.textureSets[1].at(Channel::Roughness));
     QCOMPARE(names().size(), 3);
-    QVERIFY(!carryPictures({}, {}, bake, {[] { return false; }, [](int) {}}).ok());
+    QVERIFY(!jobs::carryPictures({}, {}, model, {}, {}).ok());
     // Where all are needed, none is made.
     const QString all = mFolder.filePath(u"all"_s);
     QVERIFY(QDir().mkpath(all));
-    const Result<CarriedFiles> refused =
-        carryPictures(planCarrying(other, {all, {}, false, {}}), other.scene.faceMaterial, bake,
-                      {[] { return false; }, [](int) {}, true});
+    const Result<jobs::CarriedFiles> refused = jobs::carryPictures(
+        jobs::planCarrying(other, {all, {}, false, {}}), after.faceMaterial, model, {.needsAll = true}, {});
     QVERIFY(!refused);
     QVERIFY(QDir(all).isEmpty());
 }

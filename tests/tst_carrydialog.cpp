@@ -257,7 +257,7 @@ void TestCarryDialog::whatADamagedSessionLostIsSaid()
     session.turn();
     for (const auto &[part, pictures, said] :
          {std::tuple("texelWeights", u"2 pictures"_s, u"hurt.acproj: the painted texel density: damaged"_s),
-          std::tuple("uv.0", u"no UVs"_s, u"hurt.acproj: the UV sets: damaged"_s)}) {
+          std::tuple("uv.0", u"no UV map"_s, u"hurt.acproj: the UV sets: damaged"_s)}) {
         QVERIFY(test::writeDamaged(before, session.at("hurt.acproj"), part));
         session.failed.clear();
         QVERIFY(session.carriedBy([&](const DialogUser &user) {
@@ -275,7 +275,7 @@ void TestCarryDialog::formatsAndSizes()
 {
     CarrySession session;
     session.turn();
-    CarryChoice first;
+    jobs::CarryChoice first;
     QVERIFY(session.carriedBy([&](const DialogUser &user) {
         user.choose("size", 1);
         user.choose("format", 4);
@@ -290,7 +290,7 @@ void TestCarryDialog::formatsAndSizes()
     QCOMPARE(made->width, 256);
     QCOMPARE(first.margin, 3);
     session.carry([&](const DialogUser &user) {
-        const CarryChoice second = static_cast<CarryDialog &>(user.dialog).choice();
+        const jobs::CarryChoice second = static_cast<CarryDialog &>(user.dialog).choice();
         [&] {
             QCOMPARE(second.format, u"exr"_s);
             QCOMPARE(second.size, 256);

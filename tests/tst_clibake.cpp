@@ -367,7 +367,7 @@ void TestCliBake::colorsOfVertices()
     const test::CliRun without =
         runInProcess(bake + QStringList{u"--high"_s, at("high.obj"), u"--cage"_s, u"1"_s});
     QCOMPARE(without.code, 0);
-    QCOMPARE(without.err.contains(u"--color-from names"_s), from != u"auto"_s);
+    QCOMPARE(without.err.contains(u"no colours of the chosen kind"_s), from != u"auto"_s);
 }
 
 void TestCliBake::whatWasMissedIsSaid()

@@ -1,5 +1,5 @@
 // The command line's light bake: its lights, surfaces, files and mistakes.
-#include "model/io/litscene.h"
+#include "jobs/litscene.h"
 #include "model/io/meshfile.h"
 #include "model/io/picturefiles.h"
 #include "support/cliruns.h"
@@ -165,7 +165,7 @@ void TestCliLight::texturesHaveTheirUvSet()
     model.scene = scene.value();
     QStringList missing;
     for (const int set : {0, 1}) {
-        const Result<LitSurface> surface = litSurface(model, {}, set, 1, missing);
+        const Result<LitSurface> surface = jobs::litSurface(model, {}, set, 1, missing);
         QVERIFY(surface.ok() && missing.isEmpty());
         QCOMPARE(surface->albedo({0, .25F, .25F}).x(), float(set));
     }

@@ -2,8 +2,8 @@
 #include "model/io/meshfile.h"
 #include "model/io/savefile.h"
 #include "support/filedesk.h"
-#include "views/control/bakejobs.h"
 #include "views/control/jobrunner.h"
+#include "views/control/picturejobs.h"
 
 #include <QFileInfo>
 #include <QImage>
@@ -108,7 +108,7 @@ private Q_SLOTS:
         QVERIFY(picture.save(at("low_color.png")));
         Result<Scene> low = readMesh(at("low.obj"));
         QVERIFY(low.ok());
-        BakeChoice choice;
+        jobs::BakeChoice choice;
         choice.maps = {QStringLiteral("color")};
         choice.high = at("high.obj");
         choice.folder = folder.path();

@@ -34,12 +34,13 @@ const std::vector<Layer> layers{
      {"base", "energy", "linear", "newton", "overlap", "rigid", "metrics", "preference", "packing", "search",
       "homotopy", "definite", "straight", "multires", "unwrap", "bake", "live"},
      {"model/plain"}},
-    {"cli", {""}, {"model", "commands", "solver"}},
+    {"jobs", {""}, {"model", "solver"}}, // but solver/live: see mayInclude()
+    {"cli", {""}, {"model", "commands", "solver", "jobs"}},
     // Only views/control may include solver/: see mayInclude().
     {"views",
      {"ui", "state", "gl", "control", "selecting", "canvas", "tools", "dialogs", "actions", "panels",
       "shell"},
-     {"model", "commands"}},
+     {"model", "commands", "jobs"}},
     {"", {""}, {"model", "commands", "views"}}, // main.cpp
 };
 
@@ -106,6 +107,8 @@ bool mayInclude(const std::string &folder, const std::string &target)
         return rank(*layer, target) >= 0 && rank(*layer, target) <= rank(*layer, folder);
     if (folder == "views/control" && isInside(target, "solver"))
         return true;
+    if (folder == "jobs" && isInside(target, "solver/live"))
+        return false;
     return std::any_of(layer->below.begin(), layer->below.end(),
                        [&](const std::string &allowed) { return isInside(target, allowed); });
 }

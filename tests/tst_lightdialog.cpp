@@ -90,7 +90,7 @@ struct DialogUser
         QCoreApplication::processEvents(); // only now the text is taken
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
-    LightChoice choice() const { return static_cast<LightBakeDialog &>(dialog).choice(); }
+    jobs::LightChoice choice() const { return static_cast<LightBakeDialog &>(dialog).choice(); }
     QString problem() const { return find<QLabel>("problem")->text(); }
     bool canBake() const { return find<QPushButton>("bake")->isEnabled(); }
     int bake() const
@@ -280,7 +280,7 @@ void TestLightDialog::everyChoiceIsKept()
     LightSession session;
     const QString picture = session.file("albedo.png");
     QVERIFY(writePicture(Picture(2, 2, 3, 0.5F), picture, PictureDepth::Eight).ok());
-    LightChoice first;
+    jobs::LightChoice first;
     session.ask([&](const DialogUser &user) {
         user.choose("uvSet", 0);
         user.number<QDoubleSpinBox>("azimuth", u"10"_s);
@@ -327,7 +327,7 @@ void TestLightDialog::everyChoiceIsKept()
     QCOMPARE(first.surface.emission[0].second, Vec3f(0.5F, 0.5F, 0.5F));
     QCOMPARE(first.textureSize, 48);
     QVERIFY(!first.denoise && !first.direct && first.indirect);
-    QVERIFY(first.values == LightChoice::Values::Lit);
+    QVERIFY(first.values == bake::LightValue::Lit);
     QCOMPARE(first.samples, 3);
     QCOMPARE(first.bounces, 2);
     QCOMPARE(first.dilation, 5);

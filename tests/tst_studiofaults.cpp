@@ -12,11 +12,9 @@
 #include "support/gltffiles.h"
 #include "support/mappedmodels.h"
 #include "support/patience.h"
-#include "views/control/bakejobs.h"
-#include "views/control/carryjobs.h"
 #include "views/control/filecontroller.h"
 #include "views/control/jobrunner.h"
-#include "views/control/lightjobs.h"
+#include "views/control/picturejobs.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
@@ -37,7 +35,7 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 //! The files that a job writes. They belong together.
-const std::map<QString, QStringList> jobs{
+const std::map<QString, QStringList> filesOfJobs{
     {u"session"_s, {u"model.acproj"_s}},
     {u"mesh"_s, {u"out.obj"_s}},
     {u"gltf"_s, {u"out.glb"_s}},
@@ -71,7 +69,7 @@ QString doJob(const QString &job, const QString &other)
         return problem.isEmpty() ? u"nothing was opened"_s : problem;
     const Document &document = *workspace.document();
     const auto path = [](const QString &name) { return QDir::current().filePath(name); };
-    const QString first = path(jobs.at(job).front());
+    const QString first = path(filesOfJobs.at(job).front());
     LayoutOptions picture;
     picture.size = 64;
     MapInput input;
@@ -84,23 +82,23 @@ QString doJob(const QString &job, const QString &other)
     } else if (job == "picture"_L1) {
         files.exportBytes(first, "a picture");
     } else if (job == "layout"_L1) {
-        files.exportLayout({{1001, first}, {1002, path(jobs.at(job).back())}}, picture, {});
+        files.exportLayout({{1001, first}, {1002, path(filesOfJobs.at(job).back())}}, picture, {});
     } else if (job == "report"_L1) {
         files.exportReport(first);
     } else if (job == "bake"_L1) {
-        BakeChoice choice;
+        jobs::BakeChoice choice;
         choice.maps = {u"position"_s, u"height"_s, u"material-id"_s};
         choice.folder = QDir::currentPath();
         return bakeJob(document.state(), input, choice, control).problem;
     } else if (job == "light"_L1) {
-        LightChoice choice;
+        jobs::LightChoice choice;
         choice.textureSize = 16;
         choice.samples = 1;
         choice.path = first;
         return lightBakeJob(document.state(), 0, input, choice, {}, control).problem;
     } else if (job == "textures"_L1) {
-        CarryChoice choice;
-        choice.from = CarryChoice::From::UvSet;
+        jobs::CarryChoice choice;
+        choice.from = jobs::CarryChoice::From::UvSet;
         choice.uvSet = 1;
         choice.folder = QDir::currentPath();
         choice.suffix = u"_new"_s;
@@ -133,7 +131,7 @@ private:
         QDir(work()).removeRecursively();
         QDir().mkpath(work());
         QFile::copy(at("model.acproj"), work() + u"/model.acproj"_s);
-        for (const QString &name : jobs.at(job)) {
+        for (const QString &name : filesOfJobs.at(job)) {
             if (!QFileInfo::exists(work() + u'/' + name))
                 test::writeBytes(work() + u'/' + name, "old");
         }
@@ -141,7 +139,7 @@ private:
     std::vector<QByteArray> contents(const QString &job) const
     {
         std::vector<QByteArray> bytes;
-        for (const QString &name : jobs.at(job))
+        for (const QString &name : filesOfJobs.at(job))
             bytes.push_back(test::readBytes(work() + u'/' + name));
         return bytes;
     }
@@ -201,7 +199,7 @@ private Q_SLOTS:
     void theOldOrTheNewFiles_data()
     {
         QTest::addColumn<QString>("job");
-        for (const auto &[job, files] : jobs)
+        for (const auto &[job, files] : filesOfJobs)
             QTest::newRow(qPrintable(job)) << job;
     }
     void theOldOrTheNewFiles()

@@ -319,6 +319,8 @@ private Q_SLOTS:
         QTest::newRow("walks") << first << (asked > 0 ? asked : 6);
         // Islands of two scales counted as stretched, and one was cut for that.
         QTest::newRow("an island of another scale") << 4000188 << 1;
+        // An island over the border was aligned, and lay on others.
+        QTest::newRow("an island over the border") << 7100216 << 1;
     }
 
     void walk()

@@ -236,9 +236,9 @@ private Q_SLOTS:
         QVERIFY(QFile::copy(germanFile, copy));
         QProcess process;
         process.setWorkingDirectory(sourceRoot);
-        process.start(lupdate,
-                      {u"-silent"_s, u"-I"_s, u"src"_s, u"src/views"_s, u"src/commands"_s, u"src/model"_s,
-                       u"src/main.cpp"_s, u"-no-obsolete"_s, u"-locations"_s, u"none"_s, u"-ts"_s, copy});
+        process.start(lupdate, {u"-silent"_s, u"-I"_s, u"src"_s, u"src/views"_s, u"src/commands"_s,
+                                u"src/jobs"_s, u"src/model"_s, u"src/main.cpp"_s, u"-no-obsolete"_s,
+                                u"-locations"_s, u"none"_s, u"-ts"_s, copy});
         QVERIFY(process.waitForFinished(120'000));
         QCOMPARE(process.exitCode(), 0);
         const std::vector<Message> found = readMessages(copy);

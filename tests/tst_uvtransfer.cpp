@@ -1,5 +1,5 @@
 // Transferring UVs between meshes: by equal polygons, by position, between objects, and what cannot be done.
-#include "model/document/transferjob.h"
+#include "jobs/transferring.h"
 #include "model/plain/chart.h"
 #include "model/plain/uvlayout.h"
 #include "model/transfer/uvtransfer.h"
@@ -99,9 +99,9 @@ MappedModel withoutUvs(const test::MeshPtr &mesh)
     return {mesh, emptyLayout(*mesh)};
 }
 
-TransferJob objectJob(const MappedModel &model, int object)
+jobs::TransferJob objectJob(const MappedModel &model, int object)
 {
-    TransferJob job;
+    jobs::TransferJob job;
     job.source = job.mesh = model.mesh;
     job.sourceUv = job.uv = model.uv;
     job.sourceObject = object;
@@ -189,13 +189,13 @@ void TestUvTransfer::otherPolygonsAreAnError()
     const test::MeshPtr other = test::box(4);
     QVERIFY(transferUvs({*source.mesh, source.uv, *other, UvMatch::Topology}, {}).status ==
             UvTransfer::Status::OtherPolygons);
-    TransferJob job;
+    jobs::TransferJob job;
     job.source = source.mesh;
     job.sourceUv = source.uv;
     job.mesh = other;
     job.uv = emptyLayout(*other);
     job.match = UvMatch::Topology;
-    const Result<TransferredUvs> made = runTransfer(job, {});
+    const Result<jobs::TransferredUvs> made = jobs::runTransfer(job, {});
     QVERIFY(!made);
     QVERIFY(made.error().message.contains(QStringLiteral("54 faces in the source, 96 in the model")));
     QVERIFY(!made.error().remedy.isEmpty());
@@ -376,13 +376,13 @@ void TestUvTransfer::farFacesAreNotMatched()
 {
     const MappedModel source = test::mapped(test::box(4), test::boxMap());
     const MappedModel both = objects({withoutUvs(test::box(5)), withoutUvs(test::box(2))}, 3);
-    TransferJob job;
+    jobs::TransferJob job;
     job.source = source.mesh;
     job.sourceUv = source.uv;
     job.mesh = both.mesh;
     job.uv = both.uv;
     job.uv.bottomRows(96).setConstant(0.75);
-    const Result<TransferredUvs> made = runTransfer(job, {});
+    const Result<jobs::TransferredUvs> made = jobs::runTransfer(job, {});
     QVERIFY(made.ok());
     QCOMPARE(made->figures.unmatched(), 24);
     QCOMPARE(made->unmatched.size(), 24);
@@ -394,12 +394,12 @@ void TestUvTransfer::farFacesAreNotMatched()
 void TestUvTransfer::modelsElsewhereAreAnError()
 {
     const MappedModel source = test::mapped(test::box(4), test::boxMap());
-    TransferJob job;
+    jobs::TransferJob job;
     job.source = source.mesh;
     job.sourceUv = source.uv;
     job.mesh = test::box(5, Vec3(70, 70, 70)); // between all units
     job.uv = emptyLayout(*job.mesh);
-    const Result<TransferredUvs> made = runTransfer(job, {});
+    const Result<jobs::TransferredUvs> made = jobs::runTransfer(job, {});
     QVERIFY(!made);
     QVERIFY2(made.error().message.contains(QStringLiteral("do not lie in one place")) &&
                  made.error().message.contains(QStringLiteral("size 3.464")) &&
@@ -411,17 +411,17 @@ void TestUvTransfer::modelsElsewhereAreAnError()
 void TestUvTransfer::otherUnitsAndAxes()
 {
     const MappedModel source = test::mapped(test::box(4, Vec3(2, 4, 6)), test::boxMap());
-    TransferJob job;
+    jobs::TransferJob job;
     job.source = source.mesh;
     job.sourceUv = source.uv;
     job.mesh = test::box(5, Vec3(2, 4, 6));
     job.uv = emptyLayout(*job.mesh);
-    const Result<TransferredUvs> there = runTransfer(job, {});
+    const Result<jobs::TransferredUvs> there = jobs::runTransfer(job, {});
     QVERIFY(there.ok() && there->placement.isIdentity());
     const transfer::Placement placements[] = {{100, 0}, {0.01, 0}, {100, 1}, {1, -1}};
     for (const transfer::Placement &placement : placements) {
         job.mesh = transfer::placed(*test::box(5, Vec3(2, 4, 6)), placement);
-        const Result<TransferredUvs> made = runTransfer(job, {});
+        const Result<jobs::TransferredUvs> made = jobs::runTransfer(job, {});
         QVERIFY2(made.ok(), made ? "" : qPrintable(made.error().toString()));
         QCOMPARE(made->figures.placed, there->figures.placed);
         QCOMPARE(made->placement.scale, placement.scale);
@@ -436,7 +436,7 @@ void TestUvTransfer::objectsGiveToObjects()
         {test::mapped(test::box(4), test::boxMap()), withoutUvs(test::box(4)), withoutUvs(test::box(7)),
          withoutUvs(test::box(3, Vec3(1, 4, 1)))}, // of another shape: it stays as it is
         10);
-    const Result<TransferredUvs> made = runTransfer(objectJob(model, 0), {});
+    const Result<jobs::TransferredUvs> made = jobs::runTransfer(objectJob(model, 0), {});
     QVERIFY(made.ok());
     const int corners = 4 * 96;
     QVERIFY(sameBits(made->uv.topRows(corners), model.uv.topRows(corners)));
@@ -454,17 +454,17 @@ void TestUvTransfer::chosenAndLockedFaces()
 {
     const MappedModel model = objects(
         {test::mapped(test::box(2), test::boxMap()), withoutUvs(test::box(2)), withoutUvs(test::box(2))}, 10);
-    TransferJob job = objectJob(model, 0);
+    jobs::TransferJob job = objectJob(model, 0);
     job.faces.assign(72, false);
     std::fill(job.faces.begin() + 24, job.faces.begin() + 48, true);
-    const Result<TransferredUvs> made = runTransfer(job, {});
+    const Result<jobs::TransferredUvs> made = jobs::runTransfer(job, {});
     QVERIFY(made.ok());
     QVERIFY(sameBits(made->uv.middleRows(96, 96), model.uv.topRows(96)));
     QVERIFY(sameBits(made->uv.bottomRows(96), model.uv.bottomRows(96)));
     std::vector<IslandFlags> flags(72);
     std::fill(flags.begin() + 24, flags.begin() + 48, IslandFlags{.locked = 1});
-    keepLocked(job, flags);
-    QVERIFY(!runTransfer(job, {}));
+    jobs::keepLocked(job, flags);
+    QVERIFY(!jobs::runTransfer(job, {}));
 }
 
 void TestUvTransfer::badInput_data()
@@ -496,13 +496,13 @@ void TestUvTransfer::badInput()
     QVERIFY(transferUvs({*none, UvMatrix(0, 2), *to}, {}).status == UvTransfer::Status::NoUvs);
     uv.setZero();
     QVERIFY(transferUvs({*from, uv, *none}, {}).status == UvTransfer::Status::Done);
-    TransferJob job{from, emptyLayout(*from), -1, {}, to, emptyLayout(*to), {}};
-    QVERIFY(!runTransfer(job, {}));
+    jobs::TransferJob job{from, emptyLayout(*from), -1, {}, to, emptyLayout(*to), {}};
+    QVERIFY(!jobs::runTransfer(job, {}));
     job.mesh = none;
     job.uv.resize(0, 2);
-    QVERIFY(!runTransfer(job, {}));
+    QVERIFY(!jobs::runTransfer(job, {}));
     job.sourceObject = 17;
-    QVERIFY(!runTransfer(job, {}));
+    QVERIFY(!jobs::runTransfer(job, {}));
 }
 
 void TestUvTransfer::stops()
@@ -531,12 +531,12 @@ void TestUvTransfer::stops()
         QVERIFY(stopsAt(call).status == UvTransfer::Status::Stopped);
         QVERIFY(asked <= call + 16);
     }
-    TransferJob job;
+    jobs::TransferJob job;
     job.source = source.mesh;
     job.sourceUv = source.uv;
     job.mesh = mesh;
     job.uv = emptyLayout(*mesh);
-    const Result<TransferredUvs> made = runTransfer(job, {[] { return true; }, {}});
+    const Result<jobs::TransferredUvs> made = jobs::runTransfer(job, {[] { return true; }, {}});
     QVERIFY(made.ok() && made->stopped);
 }
 

@@ -1852,25 +1852,6 @@
     </message>
 </context>
 <context>
-    <name>CarriedTextures</name>
-    <message>
-        <source>Choose another folder or another ending of the names</source>
-        <translation>Einen anderen Ordner oder eine andere Endung der Namen wählen</translation>
-    </message>
-    <message>
-        <source>there are no pictures that could be carried over</source>
-        <translation>es gibt keine Bilder, die übertragen werden könnten</translation>
-    </message>
-    <message>
-        <source>Check the textures of the materials</source>
-        <translation>Die Texturen der Materialien prüfen</translation>
-    </message>
-    <message>
-        <source>the new picture would overwrite the one it is made from</source>
-        <translation>das neue Bild würde das überschreiben, aus dem es gemacht wird</translation>
-    </message>
-</context>
-<context>
     <name>DetailedModel</name>
     <message>
         <source>it was taken %1 times as large</source>
@@ -2711,6 +2692,22 @@
     <message>
         <source>a colour is not in its palette</source>
         <translation>eine Farbe fehlt in seiner Palette</translation>
+    </message>
+    <message>
+        <source>%1 files have no numbers of %2 bits</source>
+        <translation>%1-Dateien haben keine Zahlen mit %2 Bit</translation>
+    </message>
+    <message>
+        <source>Choose other bits or another format</source>
+        <translation>Eine andere Bitzahl oder ein anderes Format wählen</translation>
+    </message>
+    <message>
+        <source>the folder for the pictures cannot be written</source>
+        <translation>in den Ordner für die Bilder kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Check its permissions or choose another one</source>
+        <translation>Seine Zugriffsrechte prüfen oder einen anderen wählen</translation>
     </message>
 </context>
 <context>
@@ -6309,14 +6306,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Cancelled: no picture was written</source>
         <translation>Abgebrochen: kein Bild wurde geschrieben</translation>
     </message>
-    <message>
-        <source>The other model has no UVs</source>
-        <translation>Das andere Modell hat keine UVs</translation>
-    </message>
-    <message>
-        <source>The textures fit this map already</source>
-        <translation>Die Texturen passen schon zu dieser UV-Map</translation>
-    </message>
     <message numerus="yes">
         <source>Carried %n pictures over into %1</source>
         <translation>
@@ -6337,10 +6326,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Texturen werden übertragen</translation>
     </message>
     <message>
-        <source>As far as the history knows, the textures fit this map already: choose the file or the UV set that they are for</source>
-        <translation>Soweit der Verlauf weiß, passen die Texturen schon zu dieser UV-Map: die Datei oder den UV-Satz wählen, zu dem sie gehören</translation>
-    </message>
-    <message>
         <source>Cancelled: no light was baked</source>
         <translation>Abgebrochen: es wurde kein Licht gebacken</translation>
     </message>
@@ -6351,10 +6336,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Baked light into %1</source>
         <translation>Licht gebacken, in %1</translation>
-    </message>
-    <message>
-        <source>%1. In %2 % of the texels light is above 1 and was cut off: EXR keeps it, or take weaker lights</source>
-        <translation>%1. In %2 % der Texel liegt das Licht über 1 und wurde abgeschnitten: EXR behält es, oder schwächere Lichter nehmen</translation>
     </message>
     <message>
         <source>Baking light</source>
@@ -6430,6 +6411,70 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>The detailed model is nowhere near this one: the cage is %1 % of its diagonal</source>
         <translation>Das detaillierte Modell ist nirgends in der Nähe von diesem: Der Käfig ist %1 % seiner Diagonale</translation>
+    </message>
+    <message>
+        <source>light maps have at most %1 x %1 texels</source>
+        <translation>Lightmaps haben höchstens %1 x %1 Texel</translation>
+    </message>
+    <message>
+        <source>pictures of %1 x %2 texels are too large</source>
+        <translation>Bilder mit %1 x %2 Texeln sind zu groß</translation>
+    </message>
+    <message>
+        <source>Bake at most %1 x %1, and use UDIM tiles for more</source>
+        <translation>Höchstens %1 x %1 backen, und für mehr UDIM-Kacheln verwenden</translation>
+    </message>
+    <message>
+        <source>the model has no UV map to bake into</source>
+        <translation>das Modell hat keine UV-Map, in die gebacken werden kann</translation>
+    </message>
+    <message>
+        <source>Unwrap it first</source>
+        <translation>Es zuerst abwickeln</translation>
+    </message>
+    <message>
+        <source>the model has no UV map that its textures could be for</source>
+        <translation>das Modell hat keine UV-Map, zu der seine Texturen gehören könnten</translation>
+    </message>
+    <message>
+        <source>there are no pictures that could be carried over</source>
+        <translation>es gibt keine Bilder, die übertragen werden könnten</translation>
+    </message>
+    <message>
+        <source>Check the textures of the materials</source>
+        <translation>Die Texturen der Materialien prüfen</translation>
+    </message>
+    <message>
+        <source>the new picture would overwrite the one it is made from</source>
+        <translation>das neue Bild würde das überschreiben, aus dem es gemacht wird</translation>
+    </message>
+    <message>
+        <source>Choose another folder or another ending of the names</source>
+        <translation>Einen anderen Ordner oder eine andere Endung der Namen wählen</translation>
+    </message>
+    <message>
+        <source>there is no such picture</source>
+        <translation>es gibt kein solches Bild</translation>
+    </message>
+    <message>
+        <source>Check its name</source>
+        <translation>Seinen Namen prüfen</translation>
+    </message>
+    <message>
+        <source>as far as the history knows, the textures fit this map already</source>
+        <translation>soweit der Verlauf weiß, passen die Texturen schon zu dieser UV-Map</translation>
+    </message>
+    <message>
+        <source>the textures fit this map already</source>
+        <translation>die Texturen passen schon zu dieser UV-Map</translation>
+    </message>
+    <message>
+        <source>Choose the file or the UV set that they are for</source>
+        <translation>Die Datei oder den UV-Satz wählen, zu dem sie gehören</translation>
+    </message>
+    <message>
+        <source>In %1 % of the texels light is above 1 and was cut off: EXR keeps it, or take weaker lights</source>
+        <translation>In %1 % der Texel liegt das Licht über 1 und wurde abgeschnitten: EXR behält es, oder schwächere Lichter nehmen</translation>
     </message>
 </context>
 <context>

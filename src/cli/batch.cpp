@@ -1,7 +1,6 @@
 #include "cli/batch.h"
 
-#include "cli/batchbake.h"
-#include "cli/batchlight.h"
+#include "cli/batchpictures.h"
 #include "cli/batchscope.h"
 #include "cli/clihelp.h"
 #include "cli/mapmaking.h"
@@ -118,7 +117,7 @@ private:
         case Command::LightBake:
             return runBake(bakeLights);
         case Command::Transfer:
-            if (!mOptions.bake.textures.isEmpty())
+            if (!mOptions.textures.isEmpty())
                 return runBake(carryTextures);
             return runMapping(&MapMaking::transfer);
         }
@@ -273,8 +272,8 @@ private:
     }
 
     //! Makes pictures instead of a map.
-    int runBake(Result<BakeOutcome> (*bake)(const CliOptions &, const BatchFiles &, const Scene &,
-                                            const std::atomic<bool> &, const JobContext &))
+    int runBake(Result<jobs::MadePictures> (*bake)(const CliOptions &, const BatchFiles &, const Scene &,
+                                                   const JobContext &))
     {
         if (const Result<Done> writable = checkTargets(mOptions); !writable)
             return fail(writable.error());
@@ -287,21 +286,23 @@ private:
         mFiles.mergeSettings(mOptions);
         const JobContext job(&mStop.stop, mOptions.threads,
                              [this](const JobProgress &progress) { mProgress.show(progress); });
-        const Result<BakeOutcome> baked = bake(mOptions, mFiles, scene.value(), mStop.stop, job);
+        const Result<jobs::MadePictures> baked = bake(mOptions, mFiles, scene.value(), job);
         mProgress.clear();
         if (!baked)
             return failReading(baked.error());
-        sayWarnings(baked->warnings);
+        QStringList warnings = jobs::textsOf(baked->warnings);
+        if (baked->stopped && baked->files.isEmpty())
+            warnings << QStringLiteral("stopped before all pictures were finished: none was written");
+        sayWarnings(warnings);
         if (!mOptions.quiet) {
             for (const QString &file : baked->files)
                 mOut << file << '\n';
             mOut << Qt::flush;
         }
         if (!mOptions.report.isEmpty()) {
-            QJsonObject report = baked->json();
+            QJsonObject report = pictureReport(baked.value());
             report.insert(QStringLiteral("input"), mOptions.input);
-            report.insert(QStringLiteral("notes"),
-                          QJsonArray::fromStringList(mFiles.warnings() + baked->warnings));
+            report.insert(QStringLiteral("notes"), QJsonArray::fromStringList(mFiles.warnings() + warnings));
             report.insert(QStringLiteral("status"), statusWord(mStop, false));
             report.insert(QStringLiteral("seconds"), double(mClock.elapsed()) / 1000);
             if (const Result<Done> saved = saveAtomically(mOptions.report, QJsonDocument(report).toJson());

@@ -4,6 +4,7 @@
 #include "commands/edituvsets.h"
 #include "commands/makeunique.h"
 #include "commands/newmap.h"
+#include "jobs/othermodel.h"
 #include "model/document/givenseams.h"
 #include "model/document/makesnapshot.h"
 #include "model/io/exportlosses.h"
@@ -50,15 +51,6 @@ PackingSettings packingSettingsOf(const CliOptions &options, const PackingSettin
     if (options.command != CliOptions::Command::Pack)
         result.keepScale = settings.keepScale;
     return result;
-}
-
-QString setsInWords(const std::vector<UvSet> &sets)
-{
-    QStringList names;
-    for (const UvSet &set : sets)
-        names << QStringLiteral("\"%1\"").arg(set.name);
-    return names.isEmpty() ? QStringLiteral("The file has no UV sets: use --new-uv-set")
-                           : QStringLiteral("The file has %1").arg(names.join(QStringLiteral(", ")));
 }
 
 } // namespace
@@ -115,7 +107,7 @@ void BatchFiles::makeUnique()
 Result<Done> BatchFiles::chooseUvSet(const CliOptions &options)
 {
     if (!options.uvSet.isEmpty()) {
-        const Result<int> index = findUvSet(uvSets(), options.uvSet, options.input);
+        const Result<int> index = jobs::findUvSet(uvSets(), options.uvSet, options.input);
         if (!index)
             return index.error();
         mActiveSet = index.value();
@@ -151,19 +143,6 @@ DocumentState BatchFiles::modelOf(const Scene &scene) const
     if (mDocument)
         model.textureSets = mDocument->state().textureSets;
     return model;
-}
-
-Result<int> BatchFiles::findUvSet(const std::vector<UvSet> &sets, const QString &word, const QString &path)
-{
-    const auto named =
-        std::find_if(sets.begin(), sets.end(), [&](const UvSet &set) { return set.name == word; });
-    if (named != sets.end())
-        return static_cast<int>(named - sets.begin());
-    bool isNumber = false;
-    const int number = word.toInt(&isNumber);
-    if (isNumber && number >= 1 && number <= static_cast<int>(sets.size()))
-        return number - 1;
-    return Error{QStringLiteral("there is no UV set \"%1\"").arg(word), path, 0, setsInWords(sets)};
 }
 
 Scene BatchFiles::activeFirst() const

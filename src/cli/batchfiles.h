@@ -43,8 +43,6 @@ public:
     //! What read() has returned, with the pictures that the user of the session chose.
     DocumentState modelOf(const Scene &scene) const;
     int activeUvSet() const { return mDocument ? mDocument->activeUvSet() : mActiveSet; }
-    //! The set of this name, or else of this number from 1.
-    static Result<int> findUvSet(const std::vector<UvSet> &sets, const QString &word, const QString &path);
 
     //! The session's rectangle of this name; null when there is none.
     const LayoutRectangle *rectangle(const QString &name) const;

@@ -1,80 +1,78 @@
 // The command that takes UVs from another model, UV set or object.
 #include "cli/batchscope.h"
 #include "cli/mapmaking.h"
-#include "cli/outputcheck.h"
-#include "model/document/transferjob.h"
-#include "model/io/transfersource.h"
+#include "jobs/othermodel.h"
+#include "jobs/transferuvs.h"
+#include "model/io/fileclashes.h"
 #include "model/plain/uvlayout.h"
-
-#include <algorithm>
 
 namespace autocuts {
 
 namespace {
 
-Result<Done> chooseFrom(const CliOptions &options, TransferSource model, TransferJob &job)
+using From = jobs::TransferChoice::From;
+
+//! What the options name; without a file, the sets and objects of the input.
+Result<jobs::TransferChoice> choiceOf(const CliOptions &options, const BatchFiles &files, const Scene &scene)
 {
+    jobs::TransferChoice choice;
+    choice.match = options.match;
+    choice.path = options.from;
+    choice.fileUvSet = options.fromUvSet;
+    choice.fileObject = options.fromObject;
+    if (!options.from.isEmpty())
+        return choice;
+    choice.from = From::UvSet;
+    choice.uvSet = files.activeUvSet();
     if (!options.fromUvSet.isEmpty()) {
-        const Result<int> set = BatchFiles::findUvSet(model.uvSets, options.fromUvSet, model.path);
+        const Result<int> set = jobs::findUvSet(files.uvSets(), options.fromUvSet, options.input);
         if (!set)
             return set.error();
-        model.activeSet = set.value();
+        choice.uvSet = set.value();
     }
     if (!options.fromObject.isEmpty()) {
-        const auto found = std::find(model.objectNames.begin(), model.objectNames.end(), options.fromObject);
-        if (found == model.objectNames.end())
-            return Error{QStringLiteral("there is no object \"%1\"").arg(options.fromObject), model.path, 0,
-                         QStringLiteral("Check its name in the file")};
-        job.sourceObject = static_cast<int>(found - model.objectNames.begin());
+        const Result<int> object = jobs::findObject(scene.objectNames, options.fromObject, options.input);
+        if (!object)
+            return object.error();
+        choice.object = object.value();
     }
-    job.source = model.mesh;
-    job.sourceUv = model.uv();
-    job.sourceName = model.path;
-    return Done();
+    return choice;
 }
 
 } // namespace
 
 Result<MadeMap> MapMaking::transfer(Scene &scene) const
 {
-    TransferJob job;
-    job.mesh = scene.mesh;
-    job.uv = scene.uvSets.empty() ? emptyLayout(*scene.mesh) : scene.uvSets.front().uv;
-    job.match = mOptions.match;
     const auto scope = batchScope(mOptions, scene);
     if (!scope)
         return scope.error();
+    const Result<jobs::TransferChoice> choice = choiceOf(mOptions, mFiles, scene);
+    if (!choice)
+        return choice.error();
+    jobs::TransferInput input;
+    input.mesh = scene.mesh;
+    input.uv = scene.uvSets.empty() ? emptyLayout(*scene.mesh) : scene.uvSets.front().uv;
+    input.uvSets = mFiles.uvSets();
     if (scope.value())
-        job.faces = scope.value()->faces;
-    keepLocked(job, mFiles.islandFlags());
-    Result<TransferSource> model =
-        mOptions.from.isEmpty()
-            ? TransferSource{scene.mesh, mFiles.uvSets(), mFiles.activeUvSet(), scene.objectNames,
-                             mOptions.input}
-            : readTransferSource(mOptions.from, nullptr, mOptions.unwrap.packing.tileHeight());
-    if (!model)
-        return model.error();
-    if (const Result<Done> fine = checkClashes(mOptions, mFiles.modelOf(scene), {}, model->files); !fine)
-        return fine.error();
-    const QStringList sourceWarnings = model->warnings;
-    if (const Result<Done> chosen = chooseFrom(mOptions, std::move(model).value(), job); !chosen)
-        return withLosses(chosen.error(), sourceWarnings);
-    const Result<TransferredUvs> made = runTransfer(
-        job, {[this] { return mJob.stopped(); }, [this](double fraction) { mJob.report(fraction); }});
-    if (!made)
-        return withLosses(made.error(), sourceWarnings);
+        input.faces = scope.value()->faces;
+    input.faceFlags = mFiles.islandFlags();
+    input.written = withTiles(mOptions.layout) + QStringList{mOptions.output, mOptions.report};
+    input.tileHeight = mOptions.unwrap.packing.tileHeight();
+    Result<jobs::TransferOutcome> transferred = jobs::transferUvs(input, choice.value(), mJob);
+    if (!transferred)
+        return transferred.error();
     MadeMap outcome;
-    outcome.warnings << sourceWarnings;
-    if (made->stopped) {
+    outcome.warnings = jobs::textsOf(transferred->warnings);
+    jobs::TransferredUvs &made = transferred->made;
+    if (made.stopped) {
         outcome.warnings << QStringLiteral("stopped before the UVs were transferred: the map stays as it is");
         return outcome;
     }
     if (scene.uvSets.empty())
         scene.uvSets.push_back({QStringLiteral("UVMap"), {}});
-    scene.uvSets.front().uv = made->uv;
-    outcome.transfer = made->figures;
-    outcome.notes << made->summary();
-    outcome.warnings << made->warnings();
+    scene.uvSets.front().uv = std::move(made.uv);
+    outcome.transfer = made.figures;
+    outcome.notes << made.summary();
     return outcome;
 }
 

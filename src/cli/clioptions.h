@@ -1,13 +1,13 @@
 // The options of the command line program.
 #pragma once
 
-#include "cli/lightbaking.h"
+#include "jobs/bakechoice.h"
+#include "jobs/lightchoice.h"
 #include "model/document/scenegroups.h"
-#include "model/io/bakefiles.h"
 #include "model/plain/solvesettings.h"
 #include "model/transfer/uvtransfer.h"
-#include "solver/bake/bakejob.h"
 #include "solver/overlap/overlapseparation.h"
+#include "solver/packing/packmap.h"
 #include "solver/unwrap/unwrap.h"
 
 #include <QString>
@@ -21,6 +21,13 @@ namespace autocuts {
 //! The parsed command line of `autocuts-cli`. clitable.h defines which command has which option.
 struct CliOptions
 {
+    //! Unlike the studio, no cage is measured unless it is asked for, and the format chooses the bits.
+    CliOptions()
+    {
+        bake.ownCage = true;
+        bake.bits = light.bits = 0;
+    }
+
     enum class Command {
         Help,
         Version,
@@ -49,24 +56,14 @@ struct CliOptions
         bool isEmpty() const { return islands.empty() && objects.isEmpty() && materials.isEmpty(); }
     };
 
-    //! What is baked.
-    struct Baking
-    {
-        Baking();
-
-        bake::BakeJob job; //!< without its models
-        QString high, cageFile;
-        bool proposedCage = false; //!< in place of a distance: measured
-        bool byName = false;
-        QString suffix = QStringLiteral("png"); //!< of the pictures
-        std::optional<int> bits;                //!< of their numbers
-        QStringList textures;                   //!< to be carried over
-        ColorSource colorFrom = ColorSource::Auto;
-    };
-
     bool hasRectangle() const { return given.contains(QStringLiteral("--into")); }
     //! Sets the target of packing to the UDIM tile of the packing settings.
-    void packIntoTile();
+    void packIntoTile()
+    {
+        const packing::PackOptions tile = packing::tileOptions(unwrap.packing);
+        unwrap.packing.lower = tile.lower;
+        unwrap.packing.upper = tile.upper;
+    }
 
     Command command = Command::Help;
     QString input;     //!< a file, or the name of a sample
@@ -96,8 +93,9 @@ struct CliOptions
     QString fromUvSet;  //!< name, or number from 1, of a UV set of it; empty: the active one
     QString fromObject; //!< an object of it; empty: all
     transfer::UvMatch match = transfer::UvMatch::Auto;
-    Baking bake;
-    LightBaking light;
+    QStringList textures; //!< transfer: files of pictures to carry over, or "all" of the materials
+    jobs::BakeChoice bake;
+    jobs::LightChoice light;
 };
 
 } // namespace autocuts

@@ -50,8 +50,8 @@ std::optional<QString> readTextureSize(CliOptions &options, const QString &value
 
 std::optional<QString> readTextures(CliOptions &options, const QString &value)
 {
-    options.bake.textures = value.split(QLatin1Char(','));
-    if (options.bake.textures.contains(QString()))
+    options.textures = value.split(QLatin1Char(','));
+    if (options.textures.contains(QString()))
         return QStringLiteral("paths with commas between them");
     return std::nullopt;
 }

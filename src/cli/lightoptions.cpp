@@ -17,15 +17,9 @@ Field<T> ofLights(T LightPlan::*member)
 }
 
 template <class T>
-Field<T> ofLight(T LightBaking::*member)
+Field<T> ofLight(T jobs::LightChoice::*member)
 {
     return [member](CliOptions &options) -> T & { return options.light.*member; };
-}
-
-template <class T>
-Field<T> ofSettings(T bake::LightBakeSettings::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.light.settings.*member; };
 }
 
 //! The finite numbers of a list; empty when there is anything else, or another number of them.
@@ -180,30 +174,29 @@ std::vector<CliOption> surfaceOptions()
 
 std::vector<CliOption> lightOptions()
 {
-    using bake::LightBakeSettings;
     using bake::LightValue;
+    using jobs::LightChoice;
     std::vector<CliOption> options = lampOptions();
     for (const CliOption &option : surfaceOptions())
         options.push_back(option);
     const std::vector<CliOption> more{
-        integer(group, u"--bounces"_s, ofSettings(&LightBakeSettings::bounces), 0, 1000,
+        integer(group, u"--bounces"_s, ofLight(&LightChoice::bounces), 0, 1000,
                 u"how often light is reflected before it arrives"_s),
-        integer(group, u"--samples"_s, ofSettings(&LightBakeSettings::samples), 1, 1'000'000,
+        integer(group, u"--samples"_s, ofLight(&LightChoice::samples), 1, 1'000'000,
                 u"paths of light per texel"_s),
-        flag(group, u"--no-direct"_s, ofSettings(&LightBakeSettings::direct), false,
-             u"leave out direct light"_s),
-        flag(group, u"--no-indirect"_s, ofSettings(&LightBakeSettings::indirect), false,
+        flag(group, u"--no-direct"_s, ofLight(&LightChoice::direct), false, u"leave out direct light"_s),
+        flag(group, u"--no-indirect"_s, ofLight(&LightChoice::indirect), false,
              u"leave out light that was reflected"_s),
-        choice(group, u"--values"_s, ofSettings(&LightBakeSettings::value),
+        choice(group, u"--values"_s, ofLight(&LightChoice::values),
                {{u"light"_s, LightValue::Light},
                 {u"irradiance"_s, LightValue::Irradiance},
                 {u"lit"_s, LightValue::Lit}},
                u"what is written: light that is multiplied by the colour of the surface (irradiance / pi), "
                "irradiance, or what is seen, with the colour of the surface"_s),
-        flag(group, u"--no-denoise"_s, ofSettings(&LightBakeSettings::denoise), false, u"keep the noise"_s),
-        integer(group, u"--dilation"_s, ofSettings(&LightBakeSettings::margin), 0, 1024,
+        flag(group, u"--no-denoise"_s, ofLight(&LightChoice::denoise), false, u"keep the noise"_s),
+        integer(group, u"--dilation"_s, ofLight(&LightChoice::dilation), 0, 1024,
                 u"texels around islands that are filled with the nearest value"_s),
-        choice(group, u"--bits"_s, ofLight(&LightBaking::bits), {{u"8"_s, 8}, {u"16"_s, 16}, {u"32"_s, 32}},
+        choice(group, u"--bits"_s, ofLight(&LightChoice::bits), {{u"8"_s, 8}, {u"16"_s, 16}, {u"32"_s, 32}},
                u"bits of each number: 16 and 32 for exr, whose numbers are linear and of any size; 8 and 16 "
                "for png and tif, 8 for tga, in sRGB and up to 1; when not given, 32 for exr and 8"_s),
     };

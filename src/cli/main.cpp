@@ -1,7 +1,7 @@
 // autocuts-cli: makes UV maps in scripts.
 #include "cli/batch.h"
 #include "cli/commandline.h"
-#include "cli/letgo.h"
+#include "jobs/letgo.h"
 
 #include <QCoreApplication>
 
@@ -79,7 +79,7 @@ int ended(int code, QTextStream &out, QTextStream &err)
     out.flush();
     err.flush();
 #ifdef __SANITIZE_ADDRESS__
-    if (autocuts::letGoCount == 0)
+    if (autocuts::jobs::letGoCount == 0)
         return code; // leaks are looked for at the end
 #endif
     std::_Exit(code);

@@ -18,7 +18,7 @@ using Command = CliOptions::Command;
 
 bool carriesTextures(const CliOptions &options)
 {
-    return options.command == Command::Transfer && !options.bake.textures.isEmpty();
+    return options.command == Command::Transfer && !options.textures.isEmpty();
 }
 
 //! True when -o names a mesh or session, not pictures.
@@ -33,7 +33,7 @@ QStringList otherInputs(const CliOptions &options)
 {
     QStringList files{options.from, options.bake.high, options.bake.cageFile,
                       options.light.surface.albedoFile};
-    for (const QString &texture : options.bake.textures) {
+    for (const QString &texture : options.textures) {
         for (const TextureTile &tile : textureTiles(texture))
             files << tile.path;
     }
@@ -86,11 +86,15 @@ Result<Done> checkTargets(const CliOptions &options)
     return checkWriteFormat(options.output);
 }
 
-Result<Done> checkClashes(const CliOptions &options, const DocumentState &model, const QStringList &pictures,
-                          const QStringList &read)
+QStringList keptFiles(const CliOptions &options, const DocumentState &model)
+{
+    return QStringList{options.input, model.scene.path} + otherInputs(options) + filesBeside(model, true);
+}
+
+Result<Done> checkClashes(const CliOptions &options, const DocumentState &model)
 {
     const QString input = options.command == Command::Sample ? QString() : options.input;
-    const QStringList inputs = otherInputs(options) + read;
+    const QStringList inputs = otherInputs(options);
     const QStringList own{input, model.scene.path};
     QStringList kept = own + inputs + filesBeside(model);
     if (writesModel(options)) {
@@ -99,10 +103,8 @@ Result<Done> checkClashes(const CliOptions &options, const DocumentState &model,
         if (Result<Done> fine = checkOutputs({options.output}, other); !fine)
             return fine;
         kept += QStringList{options.output} + filesWrittenBeside(options.output, model.scene);
-    } else {
-        QStringList written = pictures;
-        if (options.command == Command::LightBake && pictures.isEmpty())
-            written = withTiles(options.output);
+    } else if (options.command == Command::LightBake) {
+        const QStringList written = withTiles(options.output);
         if (Result<Done> fine = checkOutputs(written, own + inputs + filesBeside(model, true)); !fine)
             return fine;
         kept += written;

@@ -13,9 +13,10 @@ Result<Done> checkTargets(const CliOptions &options);
 QStringList namedFiles(const CliOptions &options);
 
 //! An Error when an output is a file that the model was read from, or another output. The file of the input
-//! may be written again as a model of its own format. \param pictures that a bake makes \param read files of
-//! other models
-Result<Done> checkClashes(const CliOptions &options, const DocumentState &model,
-                          const QStringList &pictures = {}, const QStringList &read = {});
+//! may be written again as a model of its own format.
+Result<Done> checkClashes(const CliOptions &options, const DocumentState &model);
+
+//! The files that a command which makes pictures may not replace.
+QStringList keptFiles(const CliOptions &options, const DocumentState &model);
 
 } // namespace autocuts

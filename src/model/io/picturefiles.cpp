@@ -7,6 +7,7 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QImage>
 #include <QImageReader>
@@ -305,6 +306,27 @@ Result<Done> writePicture(const Picture &picture, const QString &path, PictureDe
     if (Result<Done> added = addPicture(picture, path, depth, files); !added)
         return added;
     return files.putInPlace();
+}
+
+Result<PictureDepth> pictureDepth(const QString &suffix, int bits)
+{
+    const bool floats = suffix == "exr"_L1;
+    if (bits == 0)
+        bits = floats ? 32 : 8;
+    if (floats ? bits < 16 : suffix == "tga"_L1 ? bits != 8 : bits > 16)
+        return Error{PictureTexts::tr("%1 files have no numbers of %2 bits").arg(suffix).arg(bits),
+                     {},
+                     0,
+                     PictureTexts::tr("Choose other bits or another format")};
+    return bits == 8 ? PictureDepth::Eight : bits == 16 ? PictureDepth::Sixteen : PictureDepth::Float;
+}
+
+Result<Done> makePictureFolder(const QString &folder)
+{
+    if (!QDir().mkpath(folder) || !QFileInfo(folder).isWritable())
+        return Error{PictureTexts::tr("the folder for the pictures cannot be written"), folder, 0,
+                     PictureTexts::tr("Check its permissions or choose another one")};
+    return Done{};
 }
 
 QStringList pictureSuffixes()

@@ -47,6 +47,13 @@ Result<Done> addPicture(const Picture &picture, const QString &path, PictureDept
 //! Writes a picture by itself. Errors: those of addPicture() and FileSet::putInPlace().
 Result<Done> writePicture(const Picture &picture, const QString &path, PictureDepth depth);
 
+//! How pictures with this suffix store their numbers. \param bits of each number: 8 and 16 for png, tif and
+//! tiff, 8 for tga, 16 and 32 for exr; 0: 8, and 32 for exr. Error: the format has no such numbers.
+Result<PictureDepth> pictureDepth(const QString &suffix, int bits);
+
+//! Makes the folder that pictures go to. Error: it cannot be written.
+Result<Done> makePictureFolder(const QString &folder);
+
 //! Suffixes of the files that readPicture() reads, lower case, for dialogs.
 QStringList pictureSuffixes();
 

@@ -35,6 +35,12 @@ public:
     {}
 
     bool stopped() const { return mStop && mStop->load(std::memory_order_relaxed); }
+    //! For functions that know nothing of jobs.
+    const std::atomic<bool> &stopFlag() const
+    {
+        static const std::atomic<bool> never = false;
+        return mStop ? *mStop : never;
+    }
     int threads() const { return mThreads; }
 
     //! \param fraction of this part of the job, in [0, 1]

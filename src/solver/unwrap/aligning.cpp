@@ -76,6 +76,17 @@ std::vector<bool> facesOfTiles(const PackJob &pack, const std::vector<bool> &fac
     return result;
 }
 
+//! The faces of islands that lie on others, wherever these are.
+std::vector<bool> overlappingFaces(const MeshData &mesh, const ChartMap &charts, PackJob pack,
+                                   const UvMatrix &uv, const JobContext &job)
+{
+    pack.tiles.clear();
+    const double farthest = std::max(1.0, uv.cwiseAbs().maxCoeff<Eigen::PropagateNumbers>());
+    pack.options.lower.setConstant(-2 * farthest);
+    pack.options.upper.setConstant(2 * farthest);
+    return misplacedFaces(mesh, charts, pack, uv, job);
+}
+
 //! Moves islands aside, at their size, that lie on others now and did not before. Where there is no room for
 //! them, those of the scope are packed, then all of their tiles, and at last these at a smaller scale.
 void moveAside(const AlignInput &input, const ChartMap &charts, const JobContext &job, AlignResult &result)
@@ -84,8 +95,11 @@ void moveAside(const AlignInput &input, const ChartMap &charts, const JobContext
     PackJob pack = packJobOf(input.snapshot, input);
     std::vector<bool> now = misplacedFaces(mesh, charts, pack, result.uv, job);
     const std::vector<bool> before = misplacedFaces(mesh, charts, pack, *input.snapshot.uv, job);
+    // An island that reached over the border before may lie on others only now.
+    const std::vector<bool> onOthers = overlappingFaces(mesh, charts, pack, result.uv, job);
+    const std::vector<bool> wasOnOthers = overlappingFaces(mesh, charts, pack, *input.snapshot.uv, job);
     for (std::size_t face = 0; face < now.size(); ++face)
-        now[face] = now[face] && !before[face];
+        now[face] = (now[face] && !before[face]) || (onOthers[face] && !wasOnOthers[face]);
     if (job.stopped() || std::find(now.begin(), now.end(), true) == now.end())
         return;
     Snapshot everywhere = input.snapshot;

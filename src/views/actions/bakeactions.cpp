@@ -42,7 +42,7 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
     });
 }
 
-void BakeActions::setLight(const LightChoice &light)
+void BakeActions::setLight(const jobs::LightChoice &light)
 {
     mLight = light;
     mHasLight = true;
@@ -73,8 +73,8 @@ void BakeActions::askCarrying(const Document &document)
     CarryDialog dialog(document, mCarryChoice, openFilters(), mQuestions);
     if (mQuestions.run(dialog) != QDialog::Accepted)
         return;
-    const CarryChoice choice = dialog.choice();
-    mCarryChoice = CarryChoice();
+    const jobs::CarryChoice choice = dialog.choice();
+    mCarryChoice = jobs::CarryChoice();
     mCarryChoice.format = choice.format;
     mCarryChoice.size = choice.size;
     mCarryChoice.margin = choice.margin;
@@ -97,12 +97,12 @@ void BakeActions::show(Pattern pattern)
 void BakeActions::askLight(const Document &document)
 {
     const QString &model = document.state().scene.path;
-    const LightChoice first = LightBakeDialog::firstChoice(
+    const jobs::LightChoice first = LightBakeDialog::firstChoice(
         document, model.isEmpty() ? mContext.preferences.lastFolder() : QFileInfo(model).path());
     if (!mHasLight)
         mLight = first;
     // The set that was made last time, or one in place of a set that is gone.
-    if (mLight.uvSet == LightChoice::newSet || mLight.uvSet >= std::ssize(document.uvSets()))
+    if (mLight.uvSet == jobs::LightChoice::newSet || mLight.uvSet >= std::ssize(document.uvSets()))
         mLight.uvSet = first.uvSet;
     LightBakeDialog dialog(document, mLight, mQuestions);
     if (mQuestions.run(dialog) == QDialog::Rejected)

@@ -1,9 +1,9 @@
 // The actions that bake and carry textures over.
 #pragma once
 
-#include "views/control/bakechoice.h"
-#include "views/control/carrychoice.h"
-#include "views/control/lightchoice.h"
+#include "jobs/bakechoice.h"
+#include "jobs/carrychoice.h"
+#include "jobs/lightchoice.h"
 #include "views/control/studiocontext.h"
 #include "views/state/viewstate.h"
 
@@ -23,11 +23,11 @@ public:
     BakeActions(const StudioContext &context, Questions &questions, QObject *parent = nullptr);
 
     //! What was chosen last for a bake, for the session.
-    const BakeChoice &choice() const { return mChoice; }
-    void setChoice(const BakeChoice &choice) { mChoice = choice; }
+    const jobs::BakeChoice &choice() const { return mChoice; }
+    void setChoice(const jobs::BakeChoice &choice) { mChoice = choice; }
     //! The lights that were chosen for this document; null before.
-    const LightChoice *light() const { return mHasLight ? &mLight : nullptr; }
-    void setLight(const LightChoice &light);
+    const jobs::LightChoice *light() const { return mHasLight ? &mLight : nullptr; }
+    void setLight(const jobs::LightChoice &light);
 
 private:
     void ask(const Document &document);
@@ -38,9 +38,9 @@ private:
 
     StudioContext mContext;
     Questions &mQuestions;
-    BakeChoice mChoice;       //!< the one last made
-    CarryChoice mCarryChoice; //!< likewise, without what belongs to a model
-    LightChoice mLight;       //!< likewise, for this document
+    jobs::BakeChoice mChoice;       //!< the one last made
+    jobs::CarryChoice mCarryChoice; //!< likewise, without what belongs to a model
+    jobs::LightChoice mLight;       //!< likewise, for this document
     bool mHasLight = false;
 };
 

@@ -1,8 +1,8 @@
 // The action that transfers UVs from elsewhere.
 #pragma once
 
+#include "jobs/transferchoice.h"
 #include "views/control/studiocontext.h"
-#include "views/control/transferchoice.h"
 
 #include <QObject>
 
@@ -24,7 +24,7 @@ private:
 
     StudioContext mContext;
     Questions &mQuestions;
-    TransferChoice mChoice; //!< the one last made
+    jobs::TransferChoice mChoice; //!< the one last made
 };
 
 } // namespace autocuts

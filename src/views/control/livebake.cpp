@@ -1,9 +1,9 @@
 #include "views/control/livebake.h"
 
+#include "jobs/bakepictures.h"
 #include "model/plain/udimtiles.h"
 #include "model/plain/uvlayout.h"
 #include "solver/bake/surfacesamples.h"
-#include "views/control/bakejobs.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 #include "views/ui/pooltask.h"
@@ -199,7 +199,7 @@ LiveBake::~LiveBake()
     mThreads.waitForDone();
 }
 
-void LiveBake::start(const BakeChoice &choice, const QString &map)
+void LiveBake::start(const jobs::BakeChoice &choice, const QString &map)
 {
     stop();
     const Document *document = mWorkspace.document();
@@ -215,7 +215,7 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
     // The map comes later, again and again; only the model's own textures need that of the beginning.
     if (map != QLatin1StringView(bake::nameOf(bake::MapKind::Color)))
         model.scene.uvSets.clear();
-    BakeChoice one = choice;
+    jobs::BakeChoice one = choice;
     one.maps = {map};
     struct Made
     {
@@ -226,12 +226,11 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
     runOnPool(
         mThreads,
         [model, one, flag = mStop, packing = document->packingSettings()] {
-            QStringList read, warnings;
-            Result<bake::BakeJob> job = makeBakeJob(model, packing, one, *flag, read, warnings);
-            if (!job)
-                return Made{nullptr, job.error().toString()};
+            Result<jobs::PreparedBake> bake = jobs::prepareBake(model, packing, one, JobContext(flag.get()));
+            if (!bake)
+                return Made{nullptr, bake.error().toString()};
             LiveBakeModel live;
-            live.job = std::make_shared<const bake::BakeJob>(std::move(job).value());
+            live.job = std::make_shared<const bake::BakeJob>(std::move(bake->job));
             return Made{std::make_shared<const LiveBakeModel>(std::move(live)), {}};
         },
         [self, flag = mStop](const Made &made) {
@@ -253,7 +252,7 @@ void LiveBake::choose(const QString &map)
         bake::mapNames(), [&map](const auto &known) { return map == QLatin1StringView(known.first); });
     // Colours need textures, which are read only for them.
     if (!model || found == bake::mapNames().end() || found->second == bake::MapKind::Color) {
-        start(BakeChoice(mChoice), map);
+        start(jobs::BakeChoice(mChoice), map);
         return;
     }
     stop();

@@ -1,8 +1,8 @@
 // A bake that follows the map while it changes.
 #pragma once
 
+#include "jobs/bakechoice.h"
 #include "model/plain/types.h"
-#include "views/control/bakechoice.h"
 #include "views/gl/pictures.h"
 
 #include <QObject>
@@ -43,8 +43,8 @@ public:
     LiveBake(const Workspace &workspace, const ShownMap &shownMap, QObject *parent = nullptr);
     ~LiveBake() override;
 
-    //! \param map one of bakeMapNames(); the other maps and the files of the choice are not used
-    void start(const BakeChoice &choice, const QString &map);
+    //! \param map one of jobs::bakeMapNames(); the other maps and the files of the choice are not used
+    void start(const jobs::BakeChoice &choice, const QString &map);
     //! Shows another map of the same bake. Does nothing unless a bake is shown.
     void choose(const QString &map);
     //! Shows the pictures that a job makes, each in place of the one before, as they are: without light.
@@ -94,7 +94,7 @@ private:
     const ShownMap &mShownMap;
     QThreadPool mThreads; //!< one thread traces rays, one fills pixels
     StopFlag mStop;       //!< of what is under way; null: off
-    BakeChoice mChoice;
+    jobs::BakeChoice mChoice;
     QString mMap;
     bool mRefining = false, mTold = false, mLaying = false, mStale = false;
     std::shared_ptr<const LiveBakeModel> mModel; //!< with samples; null until the first ones are there

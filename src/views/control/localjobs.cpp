@@ -1,10 +1,10 @@
+#include "jobs/jobtexts.h"
 #include "model/document/edgechains.h"
 #include "model/document/uvgrid.h"
 #include "model/plain/chart.h"
 #include "solver/homotopy/localsolve.h"
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/aligning.h"
-#include "views/control/jobtexts.h"
 #include "views/control/mapjobs.h"
 
 #include <QCoreApplication>

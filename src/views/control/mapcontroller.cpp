@@ -6,10 +6,8 @@
 #include "model/document/makesnapshot.h"
 #include "model/io/texturefiles.h"
 #include "solver/overlap/overlapseparation.h"
-#include "views/control/bakejobs.h"
-#include "views/control/carryjobs.h"
-#include "views/control/lightjobs.h"
 #include "views/control/mapjobs.h"
+#include "views/control/picturejobs.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/transferjobs.h"
 #include "views/control/workspace.h"
@@ -389,7 +387,7 @@ void MapController::addLightmapSet()
     });
 }
 
-void MapController::transferUvs(const TransferChoice &choice)
+void MapController::transferUvs(const jobs::TransferChoice &choice)
 {
     const Document *document = mWorkspace.document();
     if (!document)
@@ -400,7 +398,7 @@ void MapController::transferUvs(const TransferChoice &choice)
              });
 }
 
-void MapController::bake(const BakeChoice &choice)
+void MapController::bake(const jobs::BakeChoice &choice)
 {
     const Document *document = mWorkspace.document();
     if (!document || document->uvSets().empty())
@@ -411,7 +409,7 @@ void MapController::bake(const BakeChoice &choice)
              });
 }
 
-void MapController::carryTextures(const CarryChoice &choice)
+void MapController::carryTextures(const jobs::CarryChoice &choice)
 {
     // The textures are for the map that a running solve leaves.
     mSolver.whenPaused([this, choice] {
@@ -426,14 +424,14 @@ void MapController::carryTextures(const CarryChoice &choice)
     });
 }
 
-void MapController::bakeLight(const LightChoice &choice,
+void MapController::bakeLight(const jobs::LightChoice &choice,
                               const std::function<void(int tile, const QImage &picture)> &shown)
 {
     mSolver.whenPaused([this, choice, shown] {
         Document *document = mWorkspace.document();
         if (!document || mJobs.isBusy() || !hasUvs(*document))
             return;
-        if (choice.uvSet == LightChoice::newSet) {
+        if (choice.uvSet == jobs::LightChoice::newSet) {
             addLightmapSet();
             mThen = [this, choice, shown] { startLightBake(choice, shown); };
             return;
@@ -445,7 +443,7 @@ void MapController::bakeLight(const LightChoice &choice,
 }
 
 //! Bakes into the active UV set.
-void MapController::startLightBake(const LightChoice &choice,
+void MapController::startLightBake(const jobs::LightChoice &choice,
                                    const std::function<void(int tile, const QImage &picture)> &shown)
 {
     const Document &document = *mWorkspace.document();

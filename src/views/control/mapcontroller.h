@@ -27,10 +27,12 @@ class Workspace;
 struct MapInput;
 struct MapJobResult;
 struct PackTarget;
-struct TransferChoice;
+namespace jobs {
 struct BakeChoice;
 struct CarryChoice;
 struct LightChoice;
+struct TransferChoice;
+} // namespace jobs
 
 //! Which islands are packed. The others keep their places and are obstacles.
 enum class PackScope { All, Selection };
@@ -66,7 +68,7 @@ public:
 
     //! Bakes light into a UV set, which becomes the active one; where the choice wants a new one, it is made
     //! before. \param shown receives pictures of tiles, from coarse to fine, on another thread
-    void bakeLight(const autocuts::LightChoice &choice,
+    void bakeLight(const jobs::LightChoice &choice,
                    const std::function<void(int tile, const QImage &picture)> &shown);
 
     //! Asked before a job that would change all faces while some are hidden; once for each model, until all
@@ -108,11 +110,11 @@ public Q_SLOTS:
     //! Adds a copy of the active UV set and makes it a map for lightmaps; without UVs, an unwrapped one.
     void addLightmapSet();
     //! Brings the UVs of another file, UV set or object onto the model.
-    void transferUvs(const autocuts::TransferChoice &choice);
+    void transferUvs(const jobs::TransferChoice &choice);
     //! Bakes pictures for the map and writes them; the map stays as it is.
-    void bake(const autocuts::BakeChoice &choice);
+    void bake(const jobs::BakeChoice &choice);
     //! Makes the textures of the materials new for the map, as files, and gives them to the materials.
-    void carryTextures(const autocuts::CarryChoice &choice);
+    void carryTextures(const jobs::CarryChoice &choice);
     //! Gives every island the same texel density. \pre no job is running
     void equalizeDensity();
     //! Minimises the distortion of the selected faces while all others stay. Pins and locks are respected.
@@ -150,7 +152,7 @@ private:
     void beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces);
     void takeUpEdits();
     void applyResult(const MapJobResult &result);
-    void startLightBake(const LightChoice &choice,
+    void startLightBake(const jobs::LightChoice &choice,
                         const std::function<void(int tile, const QImage &picture)> &shown);
     bool pushMap(const MapJobResult &result);
     bool pushTextures(const MapJobResult &result);

@@ -1,5 +1,6 @@
 #include "views/control/mapjobs.h"
 
+#include "jobs/jobtexts.h"
 #include "model/plain/uvlayout.h"
 #include "solver/live/worker.h"
 #include "solver/metrics/uvoverlaps.h"
@@ -12,7 +13,6 @@
 #include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/tilepacking.h"
 #include "solver/unwrap/unwrap.h"
-#include "views/control/jobtexts.h"
 
 #include <QCoreApplication>
 #include <QThread>
@@ -44,17 +44,6 @@ QString stageText(const JobProgress &progress, double bound)
     return progress.distortion > bound
                ? JobTexts::tr("adding cuts until the stretch is allowed, D %1 so far").arg(distortion)
                : JobTexts::tr("shortening seams, %1 so far, D %2").arg(seams, distortion);
-}
-
-JobContext contextOf(JobControl &control, double bound = std::numeric_limits<double>::infinity())
-{
-    return {&control.stop(), QThread::idealThreadCount(),
-            [&control, bound, shown = QString(), furthest = 0.0](const JobProgress &progress) mutable {
-                furthest = std::max(furthest, progress.fraction);
-                control.setProgress(furthest);
-                if (const QString text = stageText(progress, bound); text != shown)
-                    control.setStage(shown = text);
-            }};
 }
 
 //! Number of charts that a pack may move.
@@ -91,6 +80,17 @@ void showUnmet(const MapInput &input, const unwrap::UnmetSteering &unmet, MapJob
 }
 
 } // namespace
+
+JobContext contextOf(JobControl &control, double bound)
+{
+    return {&control.stop(), QThread::idealThreadCount(),
+            [&control, bound, shown = QString(), furthest = 0.0](const JobProgress &progress) mutable {
+                furthest = std::max(furthest, progress.fraction);
+                control.setProgress(furthest);
+                if (const QString text = stageText(progress, bound); text != shown)
+                    control.setStage(shown = text);
+            }};
+}
 
 std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &faces, bool attached)
 {

@@ -9,6 +9,7 @@
 #include "model/document/texturesets.h"
 #include "model/plain/packingsettings.h"
 #include "model/plain/snapshot.h"
+#include "solver/base/jobcontext.h"
 #include "solver/unwrap/seamprices.h"
 #include "solver/unwrap/unmetsteering.h"
 #include "solver/unwrap/unwrapquality.h"
@@ -17,6 +18,7 @@
 #include <Eigen/Geometry>
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -98,6 +100,10 @@ struct PackTarget
     double density = 0;                     //!< texels per unit, in as many tiles as that needs; 0: see above
     bool fillTiles = false;                 //!< into the free room of the tiles in use
 };
+
+//! The context of a job: its progress never falls. \param bound on the distortion, for the text about the
+//! stage
+JobContext contextOf(JobControl &control, double bound = std::numeric_limits<double>::infinity());
 
 //! The scope of a job that may change these faces only. \param attached see JobScope
 std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &faces, bool attached);

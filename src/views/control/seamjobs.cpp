@@ -1,7 +1,7 @@
+#include "jobs/jobtexts.h"
 #include "model/plain/uvlayout.h"
 #include "solver/definite/ripping.h"
 #include "solver/definite/seamstitching.h"
-#include "views/control/jobtexts.h"
 #include "views/control/mapjobs.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // What the surface reflects in a light bake: the colours of the model, one colour, or a picture.
 #pragma once
 
-#include "model/io/litscene.h"
+#include "jobs/litscene.h"
 
 #include <QGroupBox>
 
@@ -21,11 +21,11 @@ class AlbedoForm final : public QGroupBox
 
 public:
     //! \param sets that a picture may be for \param last what was chosen last time
-    AlbedoForm(const std::vector<UvSet> &sets, const LitSceneOptions &last, Questions &questions,
+    AlbedoForm(const std::vector<UvSet> &sets, const jobs::LitSceneOptions &last, Questions &questions,
                QWidget *parent = nullptr);
 
     //! Sets what the surface reflects; the other options stay.
-    void apply(LitSceneOptions &options) const;
+    void apply(jobs::LitSceneOptions &options) const;
     //! What is wrong, translated; empty when nothing is.
     QString problem() const;
 

@@ -1,7 +1,8 @@
 #include "views/dialogs/bakedialog.h"
 
+#include "jobs/bakepictures.h"
 #include "model/document/document.h"
-#include "views/control/cageproposal.h"
+#include "views/control/bakemaptexts.h"
 #include "views/ui/pooltask.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
@@ -68,7 +69,7 @@ QDoubleSpinBox *makePercent(double low, double high, double value, const QString
 
 } // namespace
 
-BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const QStringList &filters,
+BakeDialog::BakeDialog(const Document &document, const jobs::BakeChoice &last, const QStringList &filters,
                        Questions &questions)
     : QDialog(questions.window()), mModel(document.state()), mHasUv(document.uv().array().isFinite().any()),
       mTextureSize(document.packingSettings().textureSize), mQuestions(questions), mFilters(filters),
@@ -122,7 +123,7 @@ BakeDialog::~BakeDialog()
     endMeasuring();
 }
 
-QWidget *BakeDialog::makeModels(const BakeChoice &last)
+QWidget *BakeDialog::makeModels(const jobs::BakeChoice &last)
 {
     auto *group = new QGroupBox(tr("Models and maps"));
     auto *browseHigh = named("browseHigh", new QPushButton(tr("&Browse...")));
@@ -153,9 +154,9 @@ QWidget *BakeDialog::makeModels(const BakeChoice &last)
     mCageFile->setToolTip(
         tr("This model with its vertices moved outwards; rays run from there through the surface"));
     mDirection = named("direction", new QComboBox);
-    mDirection->addItem(tr("Smooth: no gaps at edges"), int(BakeChoice::Direction::Smoothed));
-    mDirection->addItem(tr("Along the shading normals"), int(BakeChoice::Direction::Shading));
-    mDirection->addItem(tr("Smooth at edges, straight elsewhere"), int(BakeChoice::Direction::Corrected));
+    mDirection->addItem(tr("Smooth: no gaps at edges"), int(bake::CageDirection::Smoothed));
+    mDirection->addItem(tr("Along the shading normals"), int(bake::CageDirection::Shading));
+    mDirection->addItem(tr("Smooth at edges, straight elsewhere"), int(bake::CageDirection::Corrected));
     mDirection->setCurrentIndex(std::max(0, mDirection->findData(int(last.direction))));
     mDirection->setToolTip(tr("In which direction the detailed model is looked for"));
     mByName = named("byName", new QCheckBox(tr("&Objects see those of the same name only")));
@@ -179,7 +180,7 @@ QWidget *BakeDialog::makeModels(const BakeChoice &last)
     return group;
 }
 
-QWidget *BakeDialog::makePictures(const BakeChoice &last)
+QWidget *BakeDialog::makePictures(const jobs::BakeChoice &last)
 {
     auto *group = new QGroupBox(tr("Pictures"));
     mWidth = named("width", new QSpinBox);
@@ -210,10 +211,10 @@ QWidget *BakeDialog::makePictures(const BakeChoice &last)
         named("thickness", makePercent(1e-4, 1000, last.thicknessLimit,
                                        tr("Thickness that is white; 100 % is the diagonal of the model")));
     mColors = named("colors", new QComboBox);
-    mColors->addItem(tr("What the model has"), int(BakeChoice::Colors::Auto));
-    mColors->addItem(tr("Textures"), int(BakeChoice::Colors::Textures));
-    mColors->addItem(tr("Vertex colours"), int(BakeChoice::Colors::Vertices));
-    mColors->addItem(tr("Colours of materials"), int(BakeChoice::Colors::Materials));
+    mColors->addItem(tr("What the model has"), int(ColorSource::Auto));
+    mColors->addItem(tr("Textures"), int(ColorSource::Textures));
+    mColors->addItem(tr("Vertex colours"), int(ColorSource::Vertices));
+    mColors->addItem(tr("Colours of materials"), int(ColorSource::Materials));
     mColors->setCurrentIndex(std::max(0, mColors->findData(int(last.colors))));
     mColors->setToolTip(tr("Where the colours of the map of colours come from"));
     mGreenDown = named("greenDown", new QCheckBox(tr("Green points &down (DirectX)")));
@@ -257,7 +258,7 @@ QWidget *BakeDialog::pathRow(QLineEdit *edit, QPushButton *browse)
 
 void BakeDialog::addMaps(const QStringList &chosen)
 {
-    for (const QString &name : bakeMapNames()) {
+    for (const QString &name : jobs::bakeMapNames()) {
         auto *item = new QListWidgetItem(bakeMapTitle(name), mMaps);
         item->setToolTip(bakeMapTip(name));
         item->setData(nameRole, name);
@@ -285,7 +286,7 @@ void BakeDialog::browseCage()
 //! A cage that nobody has typed is proposed for each detailed model.
 void BakeDialog::sourceChanged()
 {
-    const BakeChoice chosen = choice();
+    const jobs::BakeChoice chosen = choice();
     const bool wanted = !mOwnCage && chosen.cageFile.isEmpty() && QFileInfo(chosen.high).isFile();
     if (!wanted)
         endMeasuring();
@@ -305,7 +306,7 @@ void BakeDialog::proposeCage()
     runOnPool(
         backgroundPool(),
         [model = mModel, high = choice().high, stop = mMeasuring] {
-            return proposedCage(model, high, *stop);
+            return jobs::proposedCage(model, high, JobContext(stop.get()));
         },
         [this, isWanted](const Result<double> &cage) {
             if (isWanted())
@@ -349,7 +350,7 @@ void BakeDialog::endMeasuring()
 
 QString BakeDialog::cageNote() const
 {
-    const BakeChoice chosen = choice();
+    const jobs::BakeChoice chosen = choice();
     if (chosen.high.isEmpty() && (chosen.maps.contains(u"ao"_s) || chosen.maps.contains(u"bent-normal"_s)))
         return tr("Occlusion has no cage: it is that of this model by itself");
     if (!mCage->isEnabled())
@@ -392,7 +393,7 @@ void BakeDialog::showState()
 
 QString BakeDialog::sourceProblem() const
 {
-    const BakeChoice chosen = choice();
+    const jobs::BakeChoice chosen = choice();
     if (!chosen.high.isEmpty() && !QFileInfo(chosen.high).isFile())
         return tr("There is no such detailed model.");
     if (!chosen.high.isEmpty() && !chosen.cageFile.isEmpty() && !QFileInfo(chosen.cageFile).isFile())
@@ -410,9 +411,9 @@ QString BakeDialog::targetProblem() const
     return folder.isWritable() ? QString() : tr("The folder cannot be written.");
 }
 
-BakeChoice BakeDialog::choice() const
+jobs::BakeChoice BakeDialog::choice() const
 {
-    BakeChoice choice;
+    jobs::BakeChoice choice;
     choice.high = QDir::fromNativeSeparators(mHigh->text().trimmed());
     choice.maps.clear();
     for (int i = 0; i < mMaps->count(); ++i) {
@@ -428,8 +429,8 @@ BakeChoice BakeDialog::choice() const
     choice.reach = mReach->value() / 100;
     choice.curvatureRadius = mCurvature->value() / 100;
     choice.thicknessLimit = mThickness->value() / 100;
-    choice.colors = BakeChoice::Colors(mColors->currentData().toInt());
-    choice.direction = BakeChoice::Direction(mDirection->currentData().toInt());
+    choice.colors = ColorSource(mColors->currentData().toInt());
+    choice.direction = bake::CageDirection(mDirection->currentData().toInt());
     choice.byName = mByName->isChecked();
     choice.greenDown = mGreenDown->isChecked();
     choice.dilation = mDilation->value();

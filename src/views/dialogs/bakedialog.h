@@ -1,9 +1,9 @@
 // The dialog that asks what is to be baked.
 #pragma once
 
+#include "jobs/bakechoice.h"
 #include "model/document/documentstate.h"
 #include "model/document/result.h"
-#include "views/control/bakechoice.h"
 
 #include <QDialog>
 
@@ -34,15 +34,15 @@ public:
     static constexpr int Live = 2;
 
     //! \param last what was chosen last time \param filters of the detailed model's file
-    BakeDialog(const Document &document, const BakeChoice &last, const QStringList &filters,
+    BakeDialog(const Document &document, const jobs::BakeChoice &last, const QStringList &filters,
                Questions &questions);
     ~BakeDialog() override;
 
-    BakeChoice choice() const;
+    jobs::BakeChoice choice() const;
 
 private:
-    QWidget *makeModels(const BakeChoice &last);
-    QWidget *makePictures(const BakeChoice &last);
+    QWidget *makeModels(const jobs::BakeChoice &last);
+    QWidget *makePictures(const jobs::BakeChoice &last);
     QWidget *pathRow(QLineEdit *edit, QPushButton *browse);
     void addMaps(const QStringList &chosen);
     void browseDetailed();

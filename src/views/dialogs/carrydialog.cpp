@@ -1,7 +1,7 @@
 #include "views/dialogs/carrydialog.h"
 
+#include "jobs/carryplan.h"
 #include "model/document/document.h"
-#include "model/io/carriedtextures.h"
 #include "model/plain/udimtiles.h"
 #include "views/ui/questions.h"
 #include "views/ui/reasons.h"
@@ -23,7 +23,7 @@
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
-using From = CarryChoice::From;
+using From = jobs::CarryChoice::From;
 
 namespace {
 
@@ -64,7 +64,7 @@ QString channelName(TextureChannel channel)
     return {};
 }
 
-QString materialNames(const Scene &scene, const CarriedPicture &picture)
+QString materialNames(const Scene &scene, const jobs::CarriedPicture &picture)
 {
     QStringList names;
     for (const int material : picture.materials)
@@ -73,7 +73,7 @@ QString materialNames(const Scene &scene, const CarriedPicture &picture)
     return names.join(u", "_s);
 }
 
-QString channelNames(const CarriedPicture &picture)
+QString channelNames(const jobs::CarriedPicture &picture)
 {
     QStringList names;
     for (const TextureChannel channel : picture.channels)
@@ -84,7 +84,7 @@ QString channelNames(const CarriedPicture &picture)
 //! Where the first texture that is a file lies, or the model.
 QString folderOf(const Document &document)
 {
-    for (const CarriedPicture &picture : planCarrying(document.state(), {}).pictures) {
+    for (const jobs::CarriedPicture &picture : jobs::planCarrying(document.state(), {}).pictures) {
         if (picture.source.content.isEmpty())
             return QFileInfo(picture.source.file).absolutePath();
     }
@@ -94,7 +94,7 @@ QString folderOf(const Document &document)
 
 } // namespace
 
-CarryDialog::CarryDialog(const Document &document, const CarryChoice &last, const QStringList &filters,
+CarryDialog::CarryDialog(const Document &document, const jobs::CarryChoice &last, const QStringList &filters,
                          Questions &questions)
     : QDialog(questions.window()), mDocument(document), mQuestions(questions), mFilters(filters),
       mFrom(new QComboBox), mUvSet(new QComboBox), mSize(new QComboBox), mFormat(new QComboBox),
@@ -108,8 +108,8 @@ CarryDialog::CarryDialog(const Document &document, const CarryChoice &last, cons
     addFormats(last);
     mFolder->setText(QDir::toNativeSeparators(last.folder.isEmpty() ? folderOf(document) : last.folder));
     mFolder->setMinimumWidth(460);
-    mSuffix->setText(
-        freeSuffix(document.state(), {QDir::fromNativeSeparators(mFolder->text()), {}, mTiled, last.format}));
+    mSuffix->setText(jobs::freeSuffix(
+        document.state(), {QDir::fromNativeSeparators(mFolder->text()), {}, mTiled, last.format}));
     mSuffix->setToolTip(tr("Goes to the end of the names, so that the old pictures stay"));
     mMargin->setRange(0, 1024);
     mMargin->setValue(last.margin);
@@ -124,7 +124,7 @@ CarryDialog::CarryDialog(const Document &document, const CarryChoice &last, cons
     showState();
 }
 
-void CarryDialog::addSources(const CarryChoice &last)
+void CarryDialog::addSources(const jobs::CarryChoice &last)
 {
     mFrom->addItem(tr("The map they were made for"), int(From::Textures));
     mFrom->setItemData(0,
@@ -145,7 +145,7 @@ void CarryDialog::addSources(const CarryChoice &last)
     mFile->setText(QDir::toNativeSeparators(last.file.isEmpty() ? mDocument.state().scene.path : last.file));
 }
 
-void CarryDialog::addFormats(const CarryChoice &last)
+void CarryDialog::addFormats(const jobs::CarryChoice &last)
 {
     mSize->addItem(tr("As the old pictures"), 0);
     for (const int size : {256, 512, 1024, 2048, 4096, 8192})
@@ -219,10 +219,10 @@ void CarryDialog::browseFolder()
         mFolder->setText(QDir::toNativeSeparators(path));
 }
 
-CarryPlan CarryDialog::plan() const
+jobs::CarryPlan CarryDialog::plan() const
 {
-    const CarryChoice chosen = choice();
-    return planCarrying(mDocument.state(), {chosen.folder, chosen.suffix, mTiled, chosen.format});
+    const jobs::CarryChoice chosen = choice();
+    return jobs::planCarrying(mDocument.state(), {chosen.folder, chosen.suffix, mTiled, chosen.format});
 }
 
 void CarryDialog::showState()
@@ -231,7 +231,7 @@ void CarryDialog::showState()
     const From from = choice().from;
     form->setRowVisible(mUvSet, from == From::UvSet);
     form->setRowVisible(mFileRow, from == From::File);
-    const CarryPlan planned = plan();
+    const jobs::CarryPlan planned = plan();
     showPlan(planned);
     const QString source = sourceProblem();
     mProblem->setText(source.isEmpty() ? targetProblem(planned) : source);
@@ -244,10 +244,10 @@ void CarryDialog::showState()
             tr("Pictures that are not there stay as they are: %1.").arg(planned.missing.join(u", "_s)));
 }
 
-void CarryDialog::showPlan(const CarryPlan &plan)
+void CarryDialog::showPlan(const jobs::CarryPlan &plan)
 {
     mList->clear();
-    for (const CarriedPicture &picture : plan.pictures) {
+    for (const jobs::CarriedPicture &picture : plan.pictures) {
         const QString old = picture.source.content.isEmpty() ? QFileInfo(picture.source.file).fileName()
                                                              : tr("in the model's file");
         new QTreeWidgetItem(mList, {materialNames(mDocument.state().scene, picture), channelNames(picture),
@@ -266,13 +266,13 @@ QString CarryDialog::sourceProblem() const
 {
     if (!mDocument.uv().array().isFinite().any())
         return tr("The model has no UVs: unwrap it first.");
-    const CarryChoice chosen = choice();
+    const jobs::CarryChoice chosen = choice();
     if (chosen.from == From::File && !QFileInfo(chosen.file).isFile())
         return tr("There is no such file.");
     return {};
 }
 
-QString CarryDialog::targetProblem(const CarryPlan &plan) const
+QString CarryDialog::targetProblem(const jobs::CarryPlan &plan) const
 {
     if (plan.pictures.empty())
         return plan.missing.isEmpty() ? tr("The model has no textures: choose some in the Textures panel.")
@@ -308,9 +308,9 @@ void CarryDialog::accept()
     QDialog::accept();
 }
 
-CarryChoice CarryDialog::choice() const
+jobs::CarryChoice CarryDialog::choice() const
 {
-    CarryChoice choice;
+    jobs::CarryChoice choice;
     choice.from = From(mFrom->currentData().toInt());
     choice.uvSet = mUvSet->currentData().toInt();
     choice.file = QDir::fromNativeSeparators(mFile->text().trimmed());

@@ -1,7 +1,7 @@
 // The dialog that asks how textures are to be carried over to the map.
 #pragma once
 
-#include "views/control/carrychoice.h"
+#include "jobs/carrychoice.h"
 
 #include <QDialog>
 
@@ -16,7 +16,9 @@ namespace autocuts {
 
 class Document;
 class Questions;
+namespace jobs {
 struct CarryPlan;
+}
 
 //! Asks for the map that the textures are for, the files and their size; shows what will be written.
 class CarryDialog final : public QDialog
@@ -26,24 +28,24 @@ class CarryDialog final : public QDialog
 public:
     //! \param last what was chosen last time; without a folder or a suffix, some are proposed
     //! \param filters of the other model's file
-    CarryDialog(const Document &document, const CarryChoice &last, const QStringList &filters,
+    CarryDialog(const Document &document, const jobs::CarryChoice &last, const QStringList &filters,
                 Questions &questions);
 
-    CarryChoice choice() const;
+    jobs::CarryChoice choice() const;
     //! Asks before files are replaced.
     void accept() override;
 
 private:
-    void addSources(const CarryChoice &last);
-    void addFormats(const CarryChoice &last);
+    void addSources(const jobs::CarryChoice &last);
+    void addFormats(const jobs::CarryChoice &last);
     void fillForm();
     void browseFile();
     void browseFolder();
     void showState();
-    void showPlan(const CarryPlan &plan);
-    CarryPlan plan() const;
+    void showPlan(const jobs::CarryPlan &plan);
+    jobs::CarryPlan plan() const;
     QString sourceProblem() const;
-    QString targetProblem(const CarryPlan &plan) const;
+    QString targetProblem(const jobs::CarryPlan &plan) const;
 
     const Document &mDocument;
     Questions &mQuestions;

@@ -84,9 +84,9 @@ void choose(QComboBox &box, const QVariant &data)
 
 } // namespace
 
-LightChoice LightBakeDialog::firstChoice(const Document &document, const QString &folder)
+jobs::LightChoice LightBakeDialog::firstChoice(const Document &document, const QString &folder)
 {
-    LightChoice choice;
+    jobs::LightChoice choice;
     choice.lights.sun = Vec2(135, 40);
     choice.lights.sunStrength = 1.5;
     choice.lights.sky = {Vec3f::Ones()};
@@ -96,13 +96,14 @@ LightChoice LightBakeDialog::firstChoice(const Document &document, const QString
         sets, [](const UvSet &set) { return set.name.startsWith(u"lightmap"_s, Qt::CaseInsensitive); });
     choice.uvSet = found != sets.end() ? static_cast<int>(found - sets.begin())
                    : sets.size() > 1   ? document.activeUvSet()
-                                       : LightChoice::newSet;
+                                       : jobs::LightChoice::newSet;
     const QString model = QFileInfo(document.state().scene.path).completeBaseName();
     choice.path = QDir(folder).filePath((model.isEmpty() ? u"model"_s : model) + u"_light.png"_s);
     return choice;
 }
 
-LightBakeDialog::LightBakeDialog(const Document &document, const LightChoice &last, Questions &questions)
+LightBakeDialog::LightBakeDialog(const Document &document, const jobs::LightChoice &last,
+                                 Questions &questions)
     : QDialog(questions.window()), mHasUv(document.uv().array().isFinite().any()),
       mLamps(new LampForm(document.state().scene, last.lights.areas, last.surface.emission)),
       mAlbedo(new AlbedoForm(document.uvSets(), last.surface, questions)),
@@ -217,19 +218,19 @@ QWidget *LightBakeDialog::makeSky(const LightPlan &lights)
     return group;
 }
 
-QWidget *LightBakeDialog::makeMap(const Document &document, const LightChoice &last)
+QWidget *LightBakeDialog::makeMap(const Document &document, const jobs::LightChoice &last)
 {
     auto *group = new QGroupBox(tr("Light map"));
     mUvSet = makeBox("uvSet");
     const std::vector<UvSet> &sets = document.uvSets();
     for (int s = 0; s < std::ssize(sets); ++s)
         mUvSet->addItem(sets[std::size_t(s)].name, s);
-    mUvSet->addItem(tr("New set for lightmaps"), LightChoice::newSet);
+    mUvSet->addItem(tr("New set for lightmaps"), jobs::LightChoice::newSet);
     choose(*mUvSet, last.uvSet);
     mUvSet->setToolTip(
         tr("The map that light is baked into. In a map for lightmaps no islands lie on each other: a "
            "new one is made of the active map, and packed with the margin of the Packing panel"));
-    mSize = makeCount(PreferenceLimits::minTextureSize, maxLightMapSide,
+    mSize = makeCount(PreferenceLimits::minTextureSize, jobs::maxLightMapSide,
                       last.textureSize > 0 ? last.textureSize : mTextureSize, "size");
     mSize->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     mSize->setSuffix(tr(" px"));
@@ -237,9 +238,9 @@ QWidget *LightBakeDialog::makeMap(const Document &document, const LightChoice &l
                          "proportions it has"));
     mValues = makeBox("values");
     mValues->addItem(tr("Light, times the colour of the surface it is what is seen"),
-                     int(LightChoice::Values::Light));
-    mValues->addItem(tr("Irradiance"), int(LightChoice::Values::Irradiance));
-    mValues->addItem(tr("What is seen, with the colours of the materials"), int(LightChoice::Values::Lit));
+                     int(bake::LightValue::Light));
+    mValues->addItem(tr("Irradiance"), int(bake::LightValue::Irradiance));
+    mValues->addItem(tr("What is seen, with the colours of the materials"), int(bake::LightValue::Lit));
     mValues->setMinimumContentsLength(16);
     mValues->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choose(*mValues, int(last.values));
@@ -254,7 +255,7 @@ QWidget *LightBakeDialog::makeMap(const Document &document, const LightChoice &l
     return group;
 }
 
-QWidget *LightBakeDialog::makeQuality(const LightChoice &last)
+QWidget *LightBakeDialog::makeQuality(const jobs::LightChoice &last)
 {
     auto *group = new QGroupBox(tr("Light"));
     mSamples = makeCount(1, 1'000'000, last.samples, "samples");
@@ -279,7 +280,7 @@ QWidget *LightBakeDialog::makeQuality(const LightChoice &last)
     return group;
 }
 
-QWidget *LightBakeDialog::makeFile(const LightChoice &last)
+QWidget *LightBakeDialog::makeFile(const jobs::LightChoice &last)
 {
     auto *group = new QGroupBox(tr("File"));
     mFormat = makeBox("format");
@@ -320,7 +321,7 @@ QString LightBakeDialog::problem() const
         return problem;
     if (const QString problem = mAlbedo->problem(); !problem.isEmpty())
         return problem;
-    const LightChoice chosen = choice();
+    const jobs::LightChoice chosen = choice();
     const bool dark = chosen.lights.sunHidden && !chosen.lights.day && chosen.lights.sky->empty() &&
                       chosen.lights.areas.empty() && chosen.surface.emission.empty();
     if (dark)
@@ -329,7 +330,7 @@ QString LightBakeDialog::problem() const
         return tr("Choose direct or indirect light.");
     if (const QString problem = mPath->problem(); !problem.isEmpty())
         return problem;
-    const Result<PictureDepth> depth = lightMapDepth(chosen.path, chosen.bits);
+    const Result<PictureDepth> depth = jobs::lightMapDepth(chosen.path, chosen.bits);
     return depth ? QString() : tr("The file cannot be written in this format: %1").arg(depth.error().message);
 }
 
@@ -339,9 +340,9 @@ void LightBakeDialog::accept()
         QDialog::accept();
 }
 
-LightChoice LightBakeDialog::choice() const
+jobs::LightChoice LightBakeDialog::choice() const
 {
-    LightChoice choice;
+    jobs::LightChoice choice;
     LightPlan &lights = choice.lights;
     lights.sun = Vec2(mAzimuth->value(), mElevation->value());
     lights.sunHidden = !mSun->isChecked();
@@ -362,7 +363,7 @@ LightChoice LightBakeDialog::choice() const
     choice.surface.emission = mLamps->emission().value_or(LampForm::Emission());
     choice.uvSet = mUvSet->currentData().toInt();
     choice.textureSize = mSize->value() == mTextureSize ? 0 : mSize->value();
-    choice.values = LightChoice::Values(mValues->currentData().toInt());
+    choice.values = bake::LightValue(mValues->currentData().toInt());
     choice.dilation = mDilation->value();
     choice.samples = mSamples->value();
     choice.bounces = mBounces->value();

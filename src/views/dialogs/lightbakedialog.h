@@ -1,7 +1,7 @@
 // The dialog that asks what light is to be baked.
 #pragma once
 
-#include "views/control/lightchoice.h"
+#include "jobs/lightchoice.h"
 
 #include <QDialog>
 
@@ -31,11 +31,11 @@ class LightBakeDialog final : public QDialog
 
 public:
     //! \param last what was chosen last time; its UV set is one of the document
-    LightBakeDialog(const Document &document, const LightChoice &last, Questions &questions);
+    LightBakeDialog(const Document &document, const jobs::LightChoice &last, Questions &questions);
 
     //! The choice of someone who has chosen nothing yet.
-    static LightChoice firstChoice(const Document &document, const QString &folder);
-    LightChoice choice() const;
+    static jobs::LightChoice firstChoice(const Document &document, const QString &folder);
+    jobs::LightChoice choice() const;
     void accept() override;
 
 private:
@@ -43,9 +43,9 @@ private:
 
     QWidget *makeSun(const LightPlan &lights);
     QWidget *makeSky(const LightPlan &lights);
-    QWidget *makeMap(const Document &document, const LightChoice &last);
-    QWidget *makeQuality(const LightChoice &last);
-    QWidget *makeFile(const LightChoice &last);
+    QWidget *makeMap(const Document &document, const jobs::LightChoice &last);
+    QWidget *makeQuality(const jobs::LightChoice &last);
+    QWidget *makeFile(const jobs::LightChoice &last);
     void showState();
     QString problem() const;
 

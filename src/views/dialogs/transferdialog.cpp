@@ -19,10 +19,10 @@
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
-using UvSource = TransferChoice::From;
+using UvSource = jobs::TransferChoice::From;
 
-TransferDialog::TransferDialog(const Document &document, const TransferChoice &last, const QString &folder,
-                               const QStringList &filters, Questions &questions)
+TransferDialog::TransferDialog(const Document &document, const jobs::TransferChoice &last,
+                               const QString &folder, const QStringList &filters, Questions &questions)
     : QDialog(questions.window()), mQuestions(questions), mFolder(folder), mFilters(filters),
       mFrom(new QComboBox), mUvSet(new QComboBox), mObject(new QComboBox), mMatch(new QComboBox),
       mFileRow(new QWidget), mPath(new QLineEdit),
@@ -124,7 +124,7 @@ void TransferDialog::showSource()
 
 QString TransferDialog::problem() const
 {
-    const TransferChoice chosen = choice();
+    const jobs::TransferChoice chosen = choice();
     if (chosen.from != UvSource::File)
         return {};
     if (chosen.path.isEmpty())
@@ -132,13 +132,14 @@ QString TransferDialog::problem() const
     return QFileInfo(chosen.path).isFile() ? QString() : tr("There is no such file.");
 }
 
-TransferChoice TransferDialog::choice() const
+jobs::TransferChoice TransferDialog::choice() const
 {
-    TransferChoice choice;
+    jobs::TransferChoice choice;
     choice.from = UvSource(mFrom->currentData().toInt());
     choice.path = QDir::fromNativeSeparators(mPath->text().trimmed());
     choice.uvSet = mUvSet->currentData().toInt();
-    choice.object = mObject->currentData().toInt();
+    if (choice.from == UvSource::Object)
+        choice.object = mObject->currentData().toInt();
     choice.match = transfer::UvMatch(mMatch->currentData().toInt());
     choice.onlySelection = mOnlySelection->isChecked();
     return choice;

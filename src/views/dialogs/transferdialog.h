@@ -1,7 +1,7 @@
 // The dialog that asks where UVs are to come from.
 #pragma once
 
-#include "views/control/transferchoice.h"
+#include "jobs/transferchoice.h"
 
 #include <QDialog>
 
@@ -24,10 +24,10 @@ class TransferDialog final : public QDialog
 public:
     //! \param last what was chosen last time
     //! \param folder where Browse begins
-    TransferDialog(const Document &document, const TransferChoice &last, const QString &folder,
+    TransferDialog(const Document &document, const jobs::TransferChoice &last, const QString &folder,
                    const QStringList &filters, Questions &questions);
 
-    TransferChoice choice() const;
+    jobs::TransferChoice choice() const;
 
 private:
     void addSources(const Document &document);

@@ -1,6 +1,7 @@
 #include "views/panels/viewpanel.h"
 
 #include "views/actions/actionregistry.h"
+#include "views/control/bakemaptexts.h"
 #include "views/control/livebake.h"
 #include "views/control/modelpictures.h"
 #include "views/gl/colormap.h"
@@ -246,7 +247,7 @@ void ViewPanel::addPatternRows()
     mBakedMap = new QComboBox;
     mBakedMap->setObjectName("bakedMap"_L1);
     narrowest(*mBakedMap);
-    for (const QString &name : bakeMapNames())
+    for (const QString &name : jobs::bakeMapNames())
         mBakedMap->addItem(bakeMapTitle(name), name);
     connect(mBakedMap, &QComboBox::activated, this,
             [this] { context().liveBake.choose(mBakedMap->currentData().toString()); });

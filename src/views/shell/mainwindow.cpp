@@ -444,9 +444,9 @@ void MainWindow::showOpened()
     else
         showFoundTextures();
     if (const QCborValue bake = saved.value(QStringLiteral("bake")); bake.isMap())
-        mStudioActions->bake().setChoice(BakeChoice::fromCbor(bake.toMap()));
+        mStudioActions->bake().setChoice(jobs::BakeChoice::fromCbor(bake.toMap()));
     if (const QCborValue light = saved.value(QStringLiteral("light")); light.isMap())
-        mStudioActions->bake().setLight(LightChoice::fromCbor(light.toMap()));
+        mStudioActions->bake().setLight(jobs::LightChoice::fromCbor(light.toMap()));
     mAwaitsMap = !hasUvs(*mWorkspace.document());
     mMeshView->restoreViewState(saved.value(QStringLiteral("mesh")).toMap());
     mUvView->restoreViewState(saved.value(QStringLiteral("uv")).toMap());
@@ -496,7 +496,7 @@ QByteArray MainWindow::viewStateBytes() const
     map[QStringLiteral("mesh")] = mMeshView->viewState();
     map[QStringLiteral("uv")] = mUvView->viewState();
     map[QStringLiteral("bake")] = mStudioActions->bake().choice().toCbor();
-    if (const LightChoice *light = mStudioActions->bake().light())
+    if (const jobs::LightChoice *light = mStudioActions->bake().light())
         map[QStringLiteral("light")] = light->toCbor();
     return map.toCborValue().toCbor();
 }

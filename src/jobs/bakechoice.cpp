@@ -1,0 +1,84 @@
+#include "jobs/bakechoice.h"
+
+#include <QCborArray>
+#include <QVariant>
+
+#include <algorithm>
+
+namespace autocuts::jobs {
+
+namespace {
+
+//! Visits every choice with its name in files, so that reading and writing use the same names.
+template <typename Choice, typename Visit>
+void visitChoices(Choice &choice, Visit visit)
+{
+    visit("high", choice.high);
+    visit("width", choice.width);
+    visit("samplesPerSide", choice.samplesPerSide);
+    visit("rays", choice.rays);
+    visit("cage", choice.cage);
+    visit("ownCage", choice.ownCage);
+    visit("cageFile", choice.cageFile);
+    visit("reach", choice.reach);
+    visit("curvatureRadius", choice.curvatureRadius);
+    visit("thicknessLimit", choice.thicknessLimit);
+    visit("byName", choice.byName);
+    visit("greenDown", choice.greenDown);
+    visit("dilation", choice.dilation);
+    visit("suffix", choice.suffix);
+    visit("bits", choice.bits);
+    visit("folder", choice.folder);
+    visit("putOn", choice.putOn);
+}
+
+} // namespace
+
+QCborMap BakeChoice::toCbor() const
+{
+    QCborMap map;
+    visitChoices(*this, [&map](const char *key, const auto &value) { map[QLatin1StringView(key)] = value; });
+    map[QLatin1StringView("direction")] = static_cast<int>(direction);
+    map[QLatin1StringView("colors")] = static_cast<int>(colors);
+    map[QLatin1StringView("maps")] = QCborArray::fromStringList(maps);
+    return map;
+}
+
+BakeChoice BakeChoice::fromCbor(const QCborMap &map)
+{
+    BakeChoice choice;
+    visitChoices(choice, [&map]<typename Value>(const char *key, Value &value) {
+        const QVariant read = map.value(QLatin1StringView(key)).toVariant();
+        if (read.canConvert<Value>())
+            value = read.value<Value>();
+    });
+    if (!map.contains(QLatin1StringView("ownCage"))) // written before cages were proposed
+        choice.ownCage = choice.cage != BakeChoice().cage;
+    choice.direction =
+        static_cast<bake::CageDirection>(map.value(QLatin1StringView("direction")).toInteger());
+    choice.colors = static_cast<ColorSource>(map.value(QLatin1StringView("colors")).toInteger());
+    if (const QCborValue maps = map.value(QLatin1StringView("maps")); maps.isArray())
+        choice.maps = maps.toVariant().toStringList();
+    return choice;
+}
+
+bool BakeChoice::isPutOn() const
+{
+    return putOn && std::ranges::any_of(maps, isTextureOfMaterials);
+}
+
+QStringList bakeMapNames()
+{
+    QStringList names;
+    for (const auto &[name, kind] : bake::mapNames())
+        names << QString::fromLatin1(name.data(), std::ssize(name));
+    return names;
+}
+
+bool isTextureOfMaterials(const QString &name)
+{
+    return name == QLatin1StringView("normal") || name == QLatin1StringView("ao") ||
+           name == QLatin1StringView("color");
+}
+
+} // namespace autocuts::jobs
