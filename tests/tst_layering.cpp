@@ -34,7 +34,8 @@ const std::vector<Layer> layers{
      {"base", "energy", "linear", "newton", "overlap", "rigid", "metrics", "preference", "packing", "search",
       "homotopy", "definite", "straight", "multires", "unwrap", "bake", "live"},
      {"model/plain"}},
-    {"jobs", {""}, {"model", "solver"}}, // but solver/live: see mayInclude()
+    {"api", {""}, {"model/plain", "model/transfer", "solver"}}, // but solver/live: see mayInclude()
+    {"jobs", {""}, {"model", "solver"}},                        // but solver/live: see mayInclude()
     {"cli", {""}, {"model", "commands", "solver", "jobs"}},
     // Only views/control may include solver/: see mayInclude().
     {"views",
@@ -107,7 +108,7 @@ bool mayInclude(const std::string &folder, const std::string &target)
         return rank(*layer, target) >= 0 && rank(*layer, target) <= rank(*layer, folder);
     if (folder == "views/control" && isInside(target, "solver"))
         return true;
-    if (folder == "jobs" && isInside(target, "solver/live"))
+    if ((folder == "jobs" || folder == "api") && isInside(target, "solver/live"))
         return false;
     return std::any_of(layer->below.begin(), layer->below.end(),
                        [&](const std::string &allowed) { return isInside(target, allowed); });

@@ -1,0 +1,209 @@
+"""The calls of xatlas-python, so that a pipeline changes one line: from autocuts import xatlas
+
+Works: parametrize(), export(), Atlas with several meshes in one atlas, padding, resolution, rotate_charts, bruteForce
+(more effort when packing) and use_input_mesh_uvs (the charts of the given UVs are kept and packed). Taken and without
+effect: the costs and weights of ChartOptions, max_chart_size, texels_per_unit, bilinear, blockAlign, create_image;
+there is one atlas, and no picture of it. Faces that cannot be mapped (without area, with NaN) get UVs of 0.
+
+quality is "draft"; set xatlas.quality = "standard" for shorter seams.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import pack, separate, unwrap
+
+quality = "draft"
+__all__ = ["Atlas", "ChartOptions", "PackOptions", "export", "parametrize", "quality"]
+
+
+@dataclass
+class ChartOptions:
+    """Only use_input_mesh_uvs has an effect."""
+
+    max_chart_area: float = 0.0
+    max_boundary_length: float = 0.0
+    normal_deviation_weight: float = 2.0
+    roundness_weight: float = 0.01
+    straightness_weight: float = 6.0
+    normal_seam_weight: float = 4.0
+    texture_seam_weight: float = 0.5
+    max_cost: float = 2.0
+    max_iterations: int = 1
+    use_input_mesh_uvs: bool = False
+    fix_winding: bool = False
+
+
+@dataclass
+class PackOptions:
+    """padding in texels; resolution 0: 1024. See the module for what has no effect."""
+
+    max_chart_size: int = 0
+    padding: int = 0
+    texels_per_unit: float = 0.0
+    resolution: int = 0
+    bilinear: bool = True
+    blockAlign: bool = False
+    bruteForce: bool = False
+    create_image: bool = False
+    rotate_charts_to_axis: bool = True
+    rotate_charts: bool = True
+
+
+def _array(values, columns, name):
+    array = np.ascontiguousarray(values, dtype=np.float64)
+    if array.ndim != 2 or array.shape[1] != columns:
+        raise ValueError(f"{name} must be an Nx{columns} array, not {array.shape}")
+    return array
+
+
+def _triangles(indices, count):
+    array = np.ascontiguousarray(indices)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"indices must be an Nx3 array, not {array.shape}")
+    array = array.astype(np.int64)
+    if array.size and (array.min() < 0 or array.max() >= count):
+        raise RuntimeError(f"an index is out of range: there are {count} vertices")
+    return array
+
+
+def _mappable(positions, triangles):
+    """Which triangles have numbers and an area."""
+    with np.errstate(all="ignore"):
+        corners = positions[triangles]
+        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        area = np.linalg.norm(normal, axis=1)
+    return np.isfinite(corners).all(axis=(1, 2)) & (np.abs(corners) <= 1e150).all(axis=(1, 2)) & (area > 0)
+
+
+class Atlas:
+    """Meshes that share one texture."""
+
+    def __init__(self):
+        self._meshes = []
+        self._results = None
+        self._figures = {}
+        self._side = 0
+
+    def add_mesh(self, positions, indices, normals=None, uvs=None):
+        positions = _array(positions, 3, "positions")
+        for values, columns, name in ((normals, 3, "normals"), (uvs, 2, "uvs")):
+            if values is not None and len(_array(values, columns, name)) != len(positions):
+                raise ValueError(f"the first dimension of {name} must be that of positions")
+        uvs = None if uvs is None else _array(uvs, 2, "uvs")
+        self._meshes.append((positions, _triangles(indices, len(positions)), uvs))
+
+    def add_uv_mesh(self, uvs, indices, face_materials=None):
+        uvs = _array(uvs, 2, "uvs")
+        flat = np.column_stack([uvs, np.zeros(len(uvs))])
+        self._meshes.append((flat, _triangles(indices, len(uvs)), uvs))
+
+    def generate(self, chart_options=None, pack_options=None, verbose=False):
+        chart, packing = chart_options or ChartOptions(), pack_options or PackOptions()
+        options = {
+            "texture_size": packing.resolution or 1024,
+            "margin": max(packing.padding, 0),
+            "rotation": "any" if packing.rotate_charts else "none",
+        }
+        if packing.bruteForce:
+            options["pack_effort"] = 10.0
+        self._side = options["texture_size"]
+        positions, corners, objects, kept, uvs = [np.empty((0, 3))], [], [], [], []
+        first = 0
+        for number, (points, triangles, own) in enumerate(self._meshes):
+            good = _mappable(points, triangles)
+            used = triangles[good]
+            positions.append(np.where(np.isfinite(points), points, 0))
+            corners.append(used + first)
+            objects.append(np.full(len(used), number, dtype=np.int32))
+            kept.append(good)
+            uvs.append(None if own is None else own[used])
+            first += len(points)
+        faces = np.concatenate(corners) if corners else np.empty((0, 3), dtype=np.int64)
+        made = np.empty((0, 3, 2))
+        if len(faces):
+            made = self._map(np.concatenate(positions), faces, np.concatenate(objects), uvs, chart, options)
+        self._results, at = [], 0
+        for (points, triangles, _), good in zip(self._meshes, kept):
+            uv = np.zeros((len(triangles), 3, 2))
+            uv[good] = made[at : at + good.sum()]
+            at += good.sum()
+            self._results.append(self._split(triangles, np.nan_to_num(uv)))
+
+    def _map(self, positions, faces, objects, uvs, chart, options):
+        flat = np.ptp(positions[:, 2]) == 0 and all(own is not None for own in uvs)
+        if all(own is not None for own in uvs) and (chart.use_input_mesh_uvs or flat):
+            given = np.concatenate(uvs)
+            result = pack(positions, faces, given, objects=objects, **options)
+            if result.measure()["overlapping_pairs"] > 0:
+                result = separate(positions, faces, given, objects=objects, **options)
+        else:
+            result = unwrap(positions, faces, objects=objects, quality=quality, **options)
+        self._figures = result.measure()
+        return result.uvs.reshape(-1, 3, 2)
+
+    @staticmethod
+    def _split(triangles, uv):
+        """Vertices that are the same in the mesh and in the map become one again."""
+        keys = np.column_stack([triangles.reshape(-1), uv.reshape(-1, 2).astype(np.float32)])
+        unique, inverse = np.unique(keys, axis=0, return_inverse=True)
+        vmapping = unique[:, 0].astype(np.uint32)
+        return vmapping, inverse.reshape(-1, 3).astype(np.uint32), unique[:, 1:].astype(np.float32)
+
+    def get_mesh(self, index):
+        """vmapping, indices, uvs of a mesh, see parametrize()."""
+        if self._results is None or not 0 <= index < len(self._results):
+            raise IndexError(f"Mesh index {index} out of bounds for atlas with {len(self)} meshes")
+        return self._results[index]
+
+    __getitem__ = get_mesh
+
+    def __len__(self):
+        return len(self._meshes)
+
+    def get_utilization(self, index):
+        if index != 0 or self.atlas_count == 0:
+            raise IndexError(f"Atlas index {index} out of bounds")
+        return self._figures["packing_efficiency"]
+
+    mesh_count = property(__len__)
+    atlas_count = property(lambda self: 1 if self._figures else 0)
+    chart_count = property(lambda self: self._figures.get("islands", 0))
+    width = property(lambda self: self._side if self._figures else 0)
+    height = width
+    utilization = property(lambda self: self.get_utilization(0) if self._figures else 0.0)
+
+
+def parametrize(positions, indices, normals=None, uvs=None):
+    """Maps a mesh. positions (N, 3), indices (F, 3).
+
+    Returns vmapping (n,), the old vertex of each new one; indices (F, 3) into the new ones; uvs (n, 2) in 0 to 1.
+    """
+    atlas = Atlas()
+    atlas.add_mesh(positions, indices, normals, uvs)
+    atlas.generate()
+    return atlas[0]
+
+
+def export(path, positions, indices=None, uvs=None, normals=None):
+    """Writes an OBJ; the arrays are per vertex. ValueError when the path cannot be opened."""
+    try:
+        file = open(path, "w", encoding="ascii")
+    except OSError as error:
+        raise ValueError(f"{path} cannot be opened: {error.strerror}") from error
+    with file:
+        for name, values, columns in (("v", positions, 3), ("vt", uvs, 2), ("vn", normals, 3)):
+            if values is not None:
+                file.writelines(f"{name} {' '.join(map(repr, row))}\n" for row in _array(values, columns, name).tolist())
+        if indices is None:
+            return
+        for triangle in _triangles(indices, len(positions)).tolist():
+            words = []
+            for vertex in triangle:
+                n = vertex + 1
+                if normals is not None:
+                    words.append(f"{n}/{n if uvs is not None else ''}/{n}")
+                else:
+                    words.append(f"{n}/{n}" if uvs is not None else str(n))
+            file.write(f"f {' '.join(words)}\n")

@@ -1,0 +1,199 @@
+"""The Python module: maps of the command line, arrays of all kinds, errors, threads, and the calls of xatlas."""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+import numpy as np
+
+import autocuts
+from autocuts import xatlas
+
+CUBE = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1], [1, 1, 1]], dtype=float)
+QUADS = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+TRIANGLES = np.concatenate([QUADS[:, [0, 1, 2]], QUADS[:, [0, 2, 3]]])
+
+
+def read_obj(path):
+    """Positions, flat corners, sizes and UVs per corner."""
+    points, vt, corners, sizes, uvs = [], [], [], [], []
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            words = line.split()
+            if not words:
+                continue
+            if words[0] == "v":
+                points.append([float(word) for word in words[1:4]])
+            elif words[0] == "vt":
+                vt.append([float(word) for word in words[1:3]])
+            elif words[0] == "f":
+                sizes.append(len(words) - 1)
+                for word in words[1:]:
+                    parts = word.split("/")
+                    corners.append(int(parts[0]) - 1)
+                    if len(parts) > 1 and parts[1]:
+                        uvs.append(vt[int(parts[1]) - 1])
+    return np.array(points), np.array(corners), np.array(sizes), np.array(uvs)
+
+
+class Unwrapping(unittest.TestCase):
+    def test_the_map_of_the_command_line(self):
+        cli = os.environ["AUTOCUTS_CLI"]
+        with tempfile.TemporaryDirectory() as folder:
+            model, mapped = os.path.join(folder, "m.obj"), os.path.join(folder, "u.obj")
+            subprocess.run([cli, "sample", "bumpycube", "-o", model], check=True, capture_output=True)
+            subprocess.run([cli, "unwrap", model, "-o", mapped, "--quality", "draft"], check=True, capture_output=True)
+            points, corners, sizes, _ = read_obj(model)
+            expected = read_obj(mapped)[3]
+        made = autocuts.unwrap(points, corners, face_sizes=sizes, quality="draft", threads=2)
+        self.assertTrue(np.array_equal(made.uvs, expected))
+
+    def test_arrays_of_all_kinds(self):
+        expected = autocuts.unwrap(CUBE, QUADS, quality="draft").uvs
+        for points in (CUBE.astype(np.float32), np.asfortranarray(CUBE), np.repeat(CUBE, 2, axis=0)[::2], CUBE.tolist()):
+            for faces in (QUADS.astype(np.int32), QUADS.astype(np.uint32), np.asfortranarray(QUADS), QUADS.tolist()):
+                made = autocuts.unwrap(points, faces, quality="draft")
+                self.assertTrue(np.array_equal(made.uvs, expected))
+
+    def test_what_a_map_has(self):
+        made = autocuts.unwrap(CUBE, QUADS)
+        self.assertEqual((made.uvs.shape, made.islands.tolist(), made.seams.sum()), ((24, 2), [0] * 6, 14))
+        figures = made.measure()
+        self.assertEqual((figures["islands"], figures["flipped_triangles"], figures["overlapping_pairs"]), (1, 0, 0))
+        self.assertAlmostEqual(figures["distortion"], 4)
+        with self.assertRaises(ValueError):
+            made.uvs[0] = 0
+        uvs = made.uvs
+        del made
+        self.assertTrue(np.isfinite(uvs).all())  # they keep the map
+
+    def test_packs_separates_and_keeps_locks(self):
+        square = np.tile([[0, 0], [1, 0], [1, 1], [0, 1]], (6, 1)).astype(float)
+        self.assertGreater(autocuts.take(CUBE, QUADS, square).measure()["overlapping_pairs"], 0)
+        packed = autocuts.pack(CUBE, QUADS, square, margin=4, texture_size=(512, 256))
+        self.assertEqual(packed.measure()["overlapping_pairs"], 0)
+        again = autocuts.pack(CUBE, QUADS, packed.uvs, locked=[1, 0, 0, 0, 0, 0], margin=9, texture_size=(512, 256))
+        self.assertTrue(np.array_equal(again.uvs[:4], packed.uvs[:4]))
+        self.assertEqual(autocuts.separate(CUBE, QUADS, packed.uvs).measure()["overlapping_pairs"], 0)
+
+    def test_bad_input_is_a_value_error(self):
+        nan = CUBE.copy()
+        nan[3, 1] = np.nan
+        for words, call in (
+            ("Nx3", lambda: autocuts.unwrap(CUBE[:, :2], QUADS)),
+            ("Fx3", lambda: autocuts.unwrap(CUBE, QUADS.ravel())),
+            ("vertex 3", lambda: autocuts.unwrap(nan, QUADS)),
+            ("out of range", lambda: autocuts.unwrap(CUBE, QUADS + 5)),
+            ("out of range", lambda: autocuts.unwrap(CUBE, QUADS - 1)),
+            ("two numbers per corner", lambda: autocuts.pack(CUBE, QUADS, CUBE[:, :2])),
+            ("draft, standard, best", lambda: autocuts.unwrap(CUBE, QUADS, quality="fast")),
+            ("above 4", lambda: autocuts.unwrap(CUBE, QUADS, max_distortion=3)),
+            ("one object per face", lambda: autocuts.unwrap(CUBE, QUADS, objects=[0])),
+            ("one lock per face", lambda: autocuts.unwrap(CUBE, QUADS, locked=[0])),
+        ):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+        with self.assertRaisesRegex(RuntimeError, "no room"):
+            autocuts.unwrap(CUBE, QUADS, quality="draft", margin=5000)
+        with self.assertRaisesRegex(TypeError, "no option"):
+            autocuts.unwrap(CUBE, QUADS, speed=1)
+
+    def test_progress_stops_and_its_errors_come_through(self):
+        seen = []
+        stopped = autocuts.unwrap(CUBE, QUADS, progress=lambda share: seen.append(share) or False)
+        self.assertTrue(stopped.stopped and len(seen) >= 1 and 0 <= min(seen) and max(seen) <= 1)
+        with self.assertRaises(ZeroDivisionError):
+            autocuts.unwrap(CUBE, QUADS, progress=lambda share: 1 / 0)
+
+    def test_threads_of_python(self):
+        expected, made = autocuts.unwrap(CUBE, QUADS).uvs, []
+        threads = [threading.Thread(target=lambda: made.append(autocuts.unwrap(CUBE, QUADS).uvs)) for _ in range(8)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual([np.array_equal(uvs, expected) for uvs in made], [True] * 8)
+
+    def test_ctrl_c_gives_the_best_map(self):
+        program = (
+            "import numpy as np, autocuts, os, signal\n"
+            "a = np.linspace(0, 6, 120); x, y = np.meshgrid(a, a)\n"
+            "points = np.column_stack([x.ravel(), y.ravel(), (np.sin(x) * np.cos(2 * y) * 2).ravel()])\n"
+            "i = np.arange(119 * 120).reshape(119, 120)[:, :-1].ravel()\n"
+            "faces = np.column_stack([i, i + 1, i + 121, i + 120])\n"
+            "done = autocuts.unwrap(points, faces, quality='best',\n"
+            "    progress=lambda share: os.kill(os.getpid(), signal.SIGINT))\n"
+            "print(done.stopped, np.isfinite(done.uvs).all())\n"
+        )
+        ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(ran.stdout.split(), ["True", "True"], ran.stderr)
+
+
+class Xatlas(unittest.TestCase):
+    def test_parametrize(self):
+        vmapping, indices, uvs = xatlas.parametrize(CUBE, TRIANGLES)
+        self.assertEqual((vmapping.dtype, indices.dtype, uvs.dtype), (np.uint32, np.uint32, np.float32))
+        self.assertEqual(indices.shape, TRIANGLES.shape)
+        self.assertTrue(np.array_equal(vmapping[indices], TRIANGLES))
+        self.assertEqual(len(uvs), len(vmapping))
+        self.assertTrue(len(vmapping) < 24 and uvs.min() >= 0 and uvs.max() <= 1)
+
+    def test_several_meshes_in_one_atlas(self):
+        atlas = xatlas.Atlas()
+        atlas.add_mesh(CUBE, TRIANGLES)
+        atlas.add_mesh(2 * CUBE, TRIANGLES)
+        atlas.generate(pack_options=xatlas.PackOptions(padding=4, resolution=512))
+        self.assertEqual((len(atlas), atlas.mesh_count, atlas.atlas_count, atlas.chart_count), (2, 2, 1, 2))
+        self.assertEqual((atlas.width, atlas.height), (512, 512))
+        self.assertTrue(0 < atlas.utilization <= 1 and atlas.get_utilization(0) == atlas.utilization)
+        boxes = [(atlas[i][2].min(axis=0), atlas[i][2].max(axis=0)) for i in range(2)]
+        areas = [np.prod(high - low) for low, high in boxes]
+        self.assertAlmostEqual(areas[1] / areas[0], 4, delta=2)  # one texel density
+        with self.assertRaisesRegex(IndexError, "out of bounds"):
+            atlas.get_mesh(2)
+
+    def test_what_cannot_be_mapped_gets_zero(self):
+        points = np.vstack([CUBE, [[np.nan, 0, 0]]])
+        triangles = np.vstack([TRIANGLES, [[0, 0, 1], [0, 1, 8]]])
+        vmapping, indices, uvs = xatlas.parametrize(points, triangles)
+        self.assertTrue(np.array_equal(vmapping[indices], triangles))
+        self.assertTrue((uvs[indices[-2:]] == 0).all())
+        self.assertTrue(np.ptp(uvs[indices[:-2]].reshape(-1, 2), axis=0).min() > 0.1)
+
+    def test_maps_that_are_there_are_kept(self):
+        uvs = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
+        atlas = xatlas.Atlas()
+        atlas.add_uv_mesh(uvs, [[0, 1, 2], [0, 2, 3]])
+        atlas.generate()
+        vmapping, _, made = atlas[0]
+        sides = np.linalg.norm(made[np.argsort(vmapping)] - np.roll(made[np.argsort(vmapping)], 1, axis=0), axis=1)
+        self.assertTrue(np.ptp(sides) < 1e-5)
+
+    def test_errors(self):
+        for words, kind, call in (
+            ("Nx3", ValueError, lambda: xatlas.parametrize(CUBE[:, :2], TRIANGLES)),
+            ("Nx3", ValueError, lambda: xatlas.parametrize(CUBE, QUADS)),
+            ("first dimension", ValueError, lambda: xatlas.parametrize(CUBE, TRIANGLES, uvs=CUBE[:3, :2])),
+            ("out of range", RuntimeError, lambda: xatlas.parametrize(CUBE, TRIANGLES + 1)),
+            ("opened", ValueError, lambda: xatlas.export("/nowhere/at/all.obj", CUBE)),
+        ):
+            with self.assertRaisesRegex(kind, words):
+                call()
+
+    def test_export(self):
+        vmapping, indices, uvs = xatlas.parametrize(CUBE, TRIANGLES)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "cube.obj")
+            xatlas.export(path, CUBE[vmapping], indices, uvs)
+            points, corners, sizes, read = read_obj(path)
+        self.assertTrue(np.array_equal(points, CUBE[vmapping]) and np.array_equal(corners, indices.ravel()))
+        self.assertTrue(np.allclose(read, uvs[indices.ravel()]) and (sizes == 3).all())
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    unittest.main(verbosity=2)
