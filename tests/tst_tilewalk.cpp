@@ -207,8 +207,9 @@ private:
         if (made.saysItFailed || made.uv.rows() == 0)
             return {};
         const bool keeps = name == u"live"_s || name == u"finish"_s;
-        // A live solve makes the islands of a tile smaller where there is no room for them, until there is.
-        const bool mayShrink = made.saysSmaller || (name == u"live"_s && crowded);
+        // A live solve makes the islands of a tile smaller where there is no room for them, as when one comes
+        // back in that reached over the border, until there is.
+        const bool mayShrink = made.saysSmaller || (name == u"live"_s && (crowded || sticksOut(uv())));
         const double leastScale = !keeps ? 0 : mayShrink ? leastSaid : 1 - leastChange;
         QString wrong = changed(made.uv, leastScale, !(name == u"live"_s && !crowded && !sticksOut(uv())));
         if (wrong.isEmpty() && name == u"pack"_s && sticksOut(made.uv))
