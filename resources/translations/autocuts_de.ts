@@ -1892,6 +1892,14 @@
         <translation>entfernte UV-Sätze bleiben in der Datei: ihre Materialien nennen UV-Sätze mit Nummern</translation>
     </message>
     <message>
+        <source>the pose that the model is in becomes its rest pose</source>
+        <translation>die Pose, in der das Modell ist, wird seine Ruhepose</translation>
+    </message>
+    <message>
+        <source>the names of UV sets are lost: other programs see numbers</source>
+        <translation>die Namen der UV-Sätze gehen verloren: andere Programme sehen Nummern</translation>
+    </message>
+    <message>
         <source>UV sets after the eighth are lost</source>
         <translation>UV-Sätze nach dem achten gehen verloren</translation>
     </message>

@@ -98,6 +98,8 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
         losses << (options.animations
                        ? LossTexts::tr("animations are left out where the format cannot hold them")
                        : LossTexts::tr("animations are lost"));
+    if (contents.bones && format == QLatin1String("dae"))
+        losses << LossTexts::tr("the pose that the model is in becomes its rest pose");
     return losses;
 }
 
@@ -189,6 +191,8 @@ QStringList exportLosses(const Scene &scene, const QString &format)
         addPlyLosses(losses, scene);
     if (isGltfFormat(format) && scene.mesh->report.polygons > 0)
         losses << LossTexts::tr("glTF holds triangles only: polygons are split");
+    if (format == QLatin1String("dae") && scene.uvSets.size() > 1)
+        losses << LossTexts::tr("the names of UV sets are lost: other programs see numbers");
     if (scene.uvSets.size() > maxAssimpUvSets)
         losses << LossTexts::tr("UV sets after the eighth are lost");
     if (hasPartialUv(scene))
