@@ -355,7 +355,8 @@ void TestAssimpIo::losses()
     Scene oneSet = scene;
     oneSet.uvSets.resize(1);
     QVERIFY(exportLosses(oneSet, QStringLiteral("obj")).isEmpty());
-    QVERIFY(!exportLosses(oneSet, QStringLiteral("dae")).join(u' ').contains(QLatin1String("names of UV sets")));
+    QVERIFY(
+        !exportLosses(oneSet, QStringLiteral("dae")).join(u' ').contains(QLatin1String("names of UV sets")));
 }
 
 void TestAssimpIo::concavePolygonsAreSplitAsInTheSoup()
