@@ -43,18 +43,18 @@ struct Arrays
     Doubles positions, uvs;
     Indices indices, sizes;
     Ints objects;
-    Bytes locked;
+    Bytes locked, edges;
 
     autocuts::Mesh view() const
     {
-        return {spanOf(positions), spanOf(indices), spanOf(sizes),
-                spanOf(objects),   spanOf(uvs),     spanOf(locked)};
+        return {spanOf(positions), spanOf(indices), spanOf(sizes), spanOf(objects),
+                spanOf(uvs),       spanOf(locked),  spanOf(edges)};
     }
 };
 
 Arrays arraysOf(const Doubles &positions, const Signed &faces, const std::optional<Signed> &faceSizes,
                 const std::optional<Doubles> &uvs, const std::optional<Ints> &objects,
-                const std::optional<Bytes> &locked)
+                const std::optional<Bytes> &locked, const std::optional<Bytes> &edges)
 {
     if (positions.ndim() != 2 || positions.shape(1) != 3)
         refuse("positions must be an Nx3 array");
@@ -86,6 +86,8 @@ Arrays arraysOf(const Doubles &positions, const Signed &faces, const std::option
         arrays.objects = *objects;
     if (locked)
         arrays.locked = *locked;
+    if (edges)
+        arrays.edges = *edges;
     return arrays;
 }
 
@@ -172,6 +174,7 @@ PYBIND11_MODULE(_autocuts, module)
         .def_readwrite("rotation", &autocuts::Options::rotation)
         .def_readwrite("keep_scale", &autocuts::Options::keep_scale)
         .def_readwrite("pack_effort", &autocuts::Options::pack_effort)
+        .def_readwrite("density", &autocuts::Options::density)
         .def_readwrite("threads", &autocuts::Options::threads);
 
     py::class_<autocuts::Map, std::shared_ptr<autocuts::Map>>(module, "Map")
@@ -221,12 +224,12 @@ PYBIND11_MODULE(_autocuts, module)
             [call = call](const Doubles &positions, const Signed &faces,
                           const std::optional<Signed> &faceSizes, const std::optional<Doubles> &uvs,
                           const std::optional<Ints> &objects, const std::optional<Bytes> &locked,
-                          const autocuts::Options &options,
+                          const std::optional<Bytes> &edges, const autocuts::Options &options,
                           const std::optional<std::function<bool(double)>> &progress) {
-                return run(call, arraysOf(positions, faces, faceSizes, uvs, objects, locked), options,
+                return run(call, arraysOf(positions, faces, faceSizes, uvs, objects, locked, edges), options,
                            progress);
             },
             py::arg("positions"), py::arg("faces"), py::arg("face_sizes"), py::arg("uvs"), py::arg("objects"),
-            py::arg("locked"), py::arg("options"), py::arg("progress"));
+            py::arg("locked"), py::arg("edges"), py::arg("options"), py::arg("progress"));
     }
 }

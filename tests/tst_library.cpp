@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -161,6 +162,49 @@ private Q_SLOTS:
         QCOMPARE(std::ranges::count(map.islands(), 0), 6);
         // A net of a cube: 5 of its 12 edges are whole, each of them a side of two faces.
         QCOMPARE(std::ranges::count(map.seams(), 0), 10);
+    }
+
+    //! Edges that must be seams are, those that must not are not.
+    void obeysEdges()
+    {
+        const Cube cube;
+        autocuts::Mesh mesh = cube.view();
+        const autocuts::Map free = autocuts::unwrap(mesh, draft());
+        // The five edges that had been whole are cut.
+        std::vector<std::uint8_t> edges;
+        for (const std::uint8_t seam : free.seams())
+            edges.push_back(seam ? AUTOCUTS_EDGE_FREE : AUTOCUTS_EDGE_SEAM);
+        mesh.edges = edges;
+        const autocuts::Map cut = autocuts::unwrap(mesh, draft());
+        for (std::size_t c = 0; c < edges.size(); ++c)
+            QVERIFY(edges[c] == AUTOCUTS_EDGE_FREE || cut.seams()[c] == 1);
+        // One edge that had been a seam is not.
+        const auto seam = std::size_t(std::ranges::find(free.seams(), 1) - free.seams().begin());
+        edges.assign(24, AUTOCUTS_EDGE_FREE);
+        edges[seam] = AUTOCUTS_EDGE_JOINED;
+        mesh.edges = edges;
+        QCOMPARE(int(autocuts::unwrap(mesh, draft()).seams()[seam]), 0);
+    }
+
+    //! Islands get the density that is asked for, in as many tiles as that needs.
+    void density()
+    {
+        const Cube cube;
+        autocuts::Options options = draft();
+        options.texture_width = options.texture_height = 256;
+        options.density = 200;
+        const std::vector<std::uint8_t> edges(24, AUTOCUTS_EDGE_SEAM);
+        autocuts::Mesh mesh = cube.view();
+        mesh.edges = edges;
+        const autocuts::Map map = autocuts::unwrap(mesh, options);
+        QCOMPARE(map.islandCount(), std::size_t(6));
+        std::set<std::pair<int, int>> tiles;
+        for (std::size_t face = 0; face < 6; ++face) {
+            const double *first = map.uvs().data() + 8 * face;
+            QVERIFY(std::abs(std::hypot(first[2] - first[0], first[3] - first[1]) * 256 - 200) < 0.1);
+            tiles.emplace(int(first[0]), int(first[1]));
+        }
+        QCOMPARE(tiles.size(), std::size_t(6)); // a face of 200 texels fills one
     }
 
     void packsAndMeasures()

@@ -80,6 +80,10 @@ class Unwrapping(unittest.TestCase):
         self.assertTrue(np.array_equal(again.uvs[:4], packed.uvs[:4]))
         self.assertEqual(autocuts.separate(CUBE, QUADS, packed.uvs).measure()["overlapping_pairs"], 0)
 
+    def test_edges_are_obeyed(self):
+        made = autocuts.unwrap(CUBE, QUADS, edges=np.ones(24, dtype=int), quality="draft")
+        self.assertEqual((made.island_count, made.seams.sum()), (6, 24))
+
     def test_bad_input_is_a_value_error(self):
         nan = CUBE.copy()
         nan[3, 1] = np.nan
@@ -155,6 +159,21 @@ class Xatlas(unittest.TestCase):
         self.assertAlmostEqual(areas[1] / areas[0], 4, delta=2)  # one texel density
         with self.assertRaisesRegex(IndexError, "out of bounds"):
             atlas.get_mesh(2)
+
+    def test_several_atlases(self):
+        atlas = xatlas.Atlas()
+        for _ in range(4):
+            atlas.add_mesh(CUBE, TRIANGLES)
+        atlas.generate(pack_options=xatlas.PackOptions(padding=2, resolution=512, texels_per_unit=110))
+        self.assertGreater(atlas.atlas_count, 1)
+        used = set()
+        for i in range(4):
+            _, indices, uvs = atlas[i]
+            self.assertTrue(uvs.min() >= 0 and uvs.max() <= 1)
+            sides = np.linalg.norm(uvs[indices[:, 0]] - uvs[indices[:, 1]], axis=1)
+            self.assertAlmostEqual(sides.min() * 512, 110, delta=0.5)
+            used.update(atlas.get_mesh_atlases(i).tolist())
+        self.assertEqual(used, set(range(atlas.atlas_count)))
 
     def test_what_cannot_be_mapped_gets_zero(self):
         points = np.vstack([CUBE, [[np.nan, 0, 0]]])

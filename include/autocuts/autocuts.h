@@ -56,7 +56,16 @@ typedef struct autocuts_mesh
     const int32_t *face_objects; /* from 0: seams run between objects; NULL: one object */
     const double *uvs;           /* u, v of each corner, NaN where there is none; NULL: no map yet */
     const uint8_t *locked_faces; /* not 0: the island of this face stays as it is in `uvs`; NULL: none */
+    /* An autocuts_edge for the edge from each corner to the next one of its face. What its two faces say
+     * counts together, a seam more than a join. NULL: all edges are free. */
+    const uint8_t *edges;
 } autocuts_mesh;
+
+typedef enum autocuts_edge {
+    AUTOCUTS_EDGE_FREE = 0,
+    AUTOCUTS_EDGE_SEAM = 1,  /* always a seam */
+    AUTOCUTS_EDGE_JOINED = 2 /* no seam, as far as there is a map without overlaps for that */
+} autocuts_edge;
 
 typedef enum autocuts_quality {
     AUTOCUTS_DRAFT = 0,
@@ -96,7 +105,10 @@ typedef struct autocuts_options
     double border;                     /* texels to the border of the texture; below 0: half the margin */
     int rotation;                      /* autocuts_rotation */
     int keep_scale;                    /* packing: not 0: islands keep their size */
-    double pack_effort;         /* CPU seconds that packing may take, counted as work and not by a clock */
+    double pack_effort; /* CPU seconds that packing may take, counted as work and not by a clock */
+    /* Texels per unit of the mesh: islands get it, in as many UDIM tiles as that needs. 0: they fill one
+     * tile. */
+    double density;
     int threads;                /* at least 1 */
     autocuts_progress progress; /* may be NULL */
     void *user;                 /* for progress */

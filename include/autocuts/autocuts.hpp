@@ -42,6 +42,7 @@ struct Mesh
     std::span<const std::int32_t> faceObjects = {};
     std::span<const double> uvs = {}; //!< u, v of each corner
     std::span<const std::uint8_t> lockedFaces = {};
+    std::span<const std::uint8_t> edges = {}; //!< autocuts_edge of each corner
 };
 
 //! Receives a share from 0 to 1; returns false to stop with the best map so far.
@@ -112,10 +113,20 @@ inline autocuts_mesh viewOf(const Mesh &mesh)
         fail("there are not two UV numbers per corner");
     if (!mesh.lockedFaces.empty() && mesh.lockedFaces.size() != faces)
         fail("there is not one lock per face");
+    if (!mesh.edges.empty() && mesh.edges.size() != corners)
+        fail("there is not one edge per corner");
     const auto orNull = [](const auto &span) { return span.empty() ? nullptr : span.data(); };
-    return {
-        mesh.positions.data(), mesh.positions.size() / 3, orNull(mesh.faceSizes), faces,
-        mesh.indices.data(),   orNull(mesh.faceObjects),  orNull(mesh.uvs),       orNull(mesh.lockedFaces)};
+    autocuts_mesh view{};
+    view.positions = mesh.positions.data();
+    view.vertex_count = mesh.positions.size() / 3;
+    view.face_sizes = orNull(mesh.faceSizes);
+    view.face_count = faces;
+    view.indices = mesh.indices.data();
+    view.face_objects = orNull(mesh.faceObjects);
+    view.uvs = orNull(mesh.uvs);
+    view.locked_faces = orNull(mesh.lockedFaces);
+    view.edges = orNull(mesh.edges);
+    return view;
 }
 
 template <class Call>

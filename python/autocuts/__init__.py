@@ -39,40 +39,45 @@ def _options(given):
     return options
 
 
-def _run(call, positions, faces, face_sizes, uvs, objects, locked, progress, options):
+def _run(call, positions, faces, face_sizes, uvs, objects, locked, edges, progress, options):
     def going(fraction):
         return progress(fraction) is not False
 
-    return call(positions, faces, face_sizes, uvs, objects, locked, _options(options), going if progress else None)
+    watch = going if progress else None
+    return call(positions, faces, face_sizes, uvs, objects, locked, edges, _options(options), watch)
 
 
-def unwrap(positions, faces, *, face_sizes=None, uvs=None, objects=None, locked=None, progress=None, **options):
+def unwrap(
+    positions, faces, *, face_sizes=None, uvs=None, objects=None, locked=None, edges=None, progress=None, **options
+):
     """Cuts, maps and packs a mesh.
 
     positions: (N, 3) numbers. faces: (F, 3) or (F, k) vertices; or, with face_sizes of shape (F,), the flat list of
     the vertices of all corners. uvs: (corners, 2), the map before, NaN where there is none. objects: (F,) numbers from
-    0, seams run between objects. locked: (F,), islands that stay as they are in uvs. progress: called with a share from
+    0, seams run between objects. locked: (F,), islands that stay as they are in uvs. edges: (corners,), for the edge from
+    each corner to the next of its face: 0 free, 1 a seam, 2 never one. progress: called with a share from
     0 to 1; when it returns False, or on Ctrl-C, the map is the best one so far.
 
     Options, with the names and defaults of autocuts-cli: quality ("draft", "standard", "best"), max_distortion (above 4),
     surface ("auto", "organic", "hard"), symmetry, align, texture_size (texels, one number or two), margin, border
-    (texels), rotation ("none", "quarter", "any"), keep_scale, pack_effort (seconds), threads.
+    (texels), rotation ("none", "quarter", "any"), keep_scale, pack_effort (seconds), density (texels
+    per unit, in as many UDIM tiles as that needs), threads.
 
     Raises ValueError for a mesh or an option that cannot be used, RuntimeError where the margins leave no room.
     """
-    return _run(_autocuts.unwrap, positions, faces, face_sizes, uvs, objects, locked, progress, options)
+    return _run(_autocuts.unwrap, positions, faces, face_sizes, uvs, objects, locked, edges, progress, options)
 
 
 def pack(positions, faces, uvs, *, face_sizes=None, objects=None, locked=None, progress=None, **options):
     """Packs the islands of a map anew. Arguments as for unwrap()."""
-    return _run(_autocuts.pack, positions, faces, face_sizes, uvs, objects, locked, progress, options)
+    return _run(_autocuts.pack, positions, faces, face_sizes, uvs, objects, locked, None, progress, options)
 
 
 def separate(positions, faces, uvs, *, face_sizes=None, objects=None, locked=None, progress=None, **options):
     """Cuts the islands of a map that overlap themselves, and packs. Arguments as for unwrap()."""
-    return _run(_autocuts.separate, positions, faces, face_sizes, uvs, objects, locked, progress, options)
+    return _run(_autocuts.separate, positions, faces, face_sizes, uvs, objects, locked, None, progress, options)
 
 
 def take(positions, faces, uvs, *, face_sizes=None, objects=None, **options):
     """A map that is there, to be measured. Arguments as for unwrap()."""
-    return _run(_autocuts.take, positions, faces, face_sizes, uvs, objects, None, None, options)
+    return _run(_autocuts.take, positions, faces, face_sizes, uvs, objects, None, None, None, options)

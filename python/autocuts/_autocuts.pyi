@@ -18,6 +18,7 @@ class Options:
     rotation: int
     keep_scale: int
     pack_effort: float
+    density: float
     threads: int
 
 class Map:
@@ -46,6 +47,7 @@ def _call(
     uvs: Optional[ArrayLike],
     objects: Optional[ArrayLike],
     locked: Optional[ArrayLike],
+    edges: Optional[ArrayLike],
     options: Options,
     progress: Optional[Callable[[float], bool]],
 ) -> Map: ...

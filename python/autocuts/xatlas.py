@@ -1,9 +1,10 @@
 """The calls of xatlas-python, so that a pipeline changes one line: from autocuts import xatlas
 
-Works: parametrize(), export(), Atlas with several meshes in one atlas, padding, resolution, rotate_charts, bruteForce
-(more effort when packing) and use_input_mesh_uvs (the charts of the given UVs are kept and packed). Taken and without
-effect: the costs and weights of ChartOptions, max_chart_size, texels_per_unit, bilinear, blockAlign, create_image;
-there is one atlas, and no picture of it. Faces that cannot be mapped (without area, with NaN) get UVs of 0.
+Works: parametrize(), export(), Atlas with several meshes and, where texels_per_unit and resolution are given, several
+atlases; padding, resolution, rotate_charts, bruteForce (more effort when packing) and use_input_mesh_uvs (the charts of
+the given UVs are kept and packed). Taken and without effect: the costs and weights of ChartOptions, max_chart_size,
+bilinear, blockAlign, create_image. Where there are several atlases, get_mesh_atlases() says in which one each triangle
+lies; UVs are those in its atlas. Faces that cannot be mapped (without area, with NaN) get UVs of 0.
 
 quality is "draft"; set xatlas.quality = "standard" for shorter seams.
 """
@@ -85,6 +86,8 @@ class Atlas:
         self._results = None
         self._figures = {}
         self._side = 0
+        self._atlases = 0
+        self._triangle_atlases = []
 
     def add_mesh(self, positions, indices, normals=None, uvs=None):
         positions = _array(positions, 3, "positions")
@@ -108,6 +111,8 @@ class Atlas:
         }
         if packing.bruteForce:
             options["pack_effort"] = 10.0
+        if packing.texels_per_unit > 0 and packing.resolution > 0:
+            options["density"] = packing.texels_per_unit
         self._side = options["texture_size"]
         positions, corners, objects, kept, uvs = [np.empty((0, 3))], [], [], [], []
         first = 0
@@ -124,19 +129,26 @@ class Atlas:
         made = np.empty((0, 3, 2))
         if len(faces):
             made = self._map(np.concatenate(positions), faces, np.concatenate(objects), uvs, chart, options)
-        self._results, at = [], 0
-        for (points, triangles, _), good in zip(self._meshes, kept):
-            uv = np.zeros((len(triangles), 3, 2))
-            uv[good] = made[at : at + good.sum()]
+        made = np.nan_to_num(made)
+        # UDIM tiles are atlases, in their order.
+        tile = np.floor(made.mean(axis=1)).astype(np.int64)
+        _, atlas = np.unique(tile[:, 0] + 10 * tile[:, 1], return_inverse=True)
+        made = made - tile[:, None, :]
+        self._atlases = int(atlas.max()) + 1 if len(faces) else 0
+        self._results, self._triangle_atlases, at = [], [], 0
+        for (_, triangles, _), good in zip(self._meshes, kept):
+            uv, places = np.zeros((len(triangles), 3, 2)), np.zeros(len(triangles), dtype=np.uint32)
+            uv[good], places[good] = made[at : at + good.sum()], atlas[at : at + good.sum()]
             at += good.sum()
-            self._results.append(self._split(triangles, np.nan_to_num(uv)))
+            self._triangle_atlases.append(places)
+            self._results.append(self._split(triangles, uv, places))
 
     def _map(self, positions, faces, objects, uvs, chart, options):
         flat = np.ptp(positions[:, 2]) == 0 and all(own is not None for own in uvs)
         if all(own is not None for own in uvs) and (chart.use_input_mesh_uvs or flat):
             given = np.concatenate(uvs)
             result = pack(positions, faces, given, objects=objects, **options)
-            if result.measure()["overlapping_pairs"] > 0:
+            if result.measure()["overlapping_pairs"] > 0 and "density" not in options:
                 result = separate(positions, faces, given, objects=objects, **options)
         else:
             result = unwrap(positions, faces, objects=objects, quality=quality, **options)
@@ -144,12 +156,12 @@ class Atlas:
         return result.uvs.reshape(-1, 3, 2)
 
     @staticmethod
-    def _split(triangles, uv):
+    def _split(triangles, uv, atlas):
         """Vertices that are the same in the mesh and in the map become one again."""
-        keys = np.column_stack([triangles.reshape(-1), uv.reshape(-1, 2).astype(np.float32)])
+        keys = np.column_stack([triangles.reshape(-1), np.repeat(atlas, 3), uv.reshape(-1, 2).astype(np.float32)])
         unique, inverse = np.unique(keys, axis=0, return_inverse=True)
         vmapping = unique[:, 0].astype(np.uint32)
-        return vmapping, inverse.reshape(-1, 3).astype(np.uint32), unique[:, 1:].astype(np.float32)
+        return vmapping, inverse.reshape(-1, 3).astype(np.uint32), unique[:, 2:].astype(np.float32)
 
     def get_mesh(self, index):
         """vmapping, indices, uvs of a mesh, see parametrize()."""
@@ -159,16 +171,21 @@ class Atlas:
 
     __getitem__ = get_mesh
 
+    def get_mesh_atlases(self, index):
+        """(F,): the atlas of each triangle of a mesh, from 0. Not in xatlas-python."""
+        self.get_mesh(index)
+        return self._triangle_atlases[index]
+
     def __len__(self):
         return len(self._meshes)
 
     def get_utilization(self, index):
-        if index != 0 or self.atlas_count == 0:
+        if not 0 <= index < self.atlas_count:
             raise IndexError(f"Atlas index {index} out of bounds")
         return self._figures["packing_efficiency"]
 
     mesh_count = property(__len__)
-    atlas_count = property(lambda self: 1 if self._figures else 0)
+    atlas_count = property(lambda self: self._atlases)
     chart_count = property(lambda self: self._figures.get("islands", 0))
     width = property(lambda self: self._side if self._figures else 0)
     height = width

@@ -8,6 +8,7 @@
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/separatejob.h"
+#include "solver/unwrap/tilepacking.h"
 #include "solver/unwrap/unwrap.h"
 
 #include <algorithm>
@@ -58,6 +59,7 @@ struct Job
     Snapshot snapshot;
     packing::PackOptions packing;
     unwrap::UnwrapOptions options;
+    double density = 0; //!< texels per unit; 0: the islands fill one tile
     std::atomic<bool> stop = false;
     JobContext context;
 };
@@ -179,6 +181,40 @@ void takeUvs(const autocuts_mesh &mesh, Job &job)
         flags[face].locked = mesh.locked_faces[face] != 0;
 }
 
+//! Takes the edges that must, or must not, be seams.
+void takeEdges(const autocuts_mesh &mesh, Job &job)
+{
+    const MeshData &data = *job.snapshot.mesh;
+    const int corners = data.cornerCount();
+    for (int c = 0; c < corners; ++c) {
+        if (mesh.edges[c] > AUTOCUTS_EDGE_JOINED)
+            throw badInput("the edge of corner " + std::to_string(c) + " is neither free, a seam nor joined");
+    }
+    std::vector<int> next(static_cast<std::size_t>(corners));
+    for (int face = 0; face < data.faceCount(); ++face) {
+        const int first = data.faceStart[std::size_t(face)], end = data.faceStart[std::size_t(face) + 1];
+        for (int c = first; c < end; ++c)
+            next[std::size_t(c)] = c + 1 < end ? c + 1 : first;
+    }
+    const auto cornerOf = [&](int soupCorner) {
+        return data.triangles[std::size_t(soupCorner / 3)][std::size_t(soupCorner % 3)];
+    };
+    std::vector<PairState> &states = job.snapshot.editSteering().pairState;
+    states.assign(std::size_t(data.cornerPairCount()), PairState::Free);
+    for (std::size_t e = 0; e < data.edgePairs.size(); ++e) {
+        const EdgePair &pair = data.edgePairs[e];
+        bool seam = false, joined = false;
+        for (std::size_t which = 0; which < 2 && !pair.diagonal; ++which) {
+            const int a = cornerOf(pair.corner[0][which]), b = cornerOf(pair.corner[1][which]);
+            const std::uint8_t wish = mesh.edges[next[std::size_t(a)] == b ? a : b];
+            seam = seam || wish == AUTOCUTS_EDGE_SEAM;
+            joined = joined || wish == AUTOCUTS_EDGE_JOINED;
+        }
+        if (seam || joined)
+            states[2 * e] = states[2 * e + 1] = seam ? PairState::Cut : PairState::Joined;
+    }
+}
+
 //! \param needsMap the call works on the map that is there
 void fill(const autocuts_mesh *mesh, const autocuts_options *options, bool needsMap, Job &job)
 {
@@ -200,6 +236,11 @@ void fill(const autocuts_mesh *mesh, const autocuts_options *options, bool needs
         takeUvs(*mesh, job);
     else if (needsMap)
         throw badInput("the mesh has no UVs");
+    if (mesh->edges)
+        takeEdges(*mesh, job);
+    if (!(own.density >= 0) || !std::isfinite(own.density))
+        throw badInput("the density is not a number that can be used", "Use 0 or more texels per unit");
+    job.density = own.density;
     if (!(job.snapshot.mesh->area > 0))
         throw badInput("all faces are without area, there is nothing to map",
                        "Check the scale and the vertices of the mesh");
@@ -261,6 +302,24 @@ Failure noRoom()
 {
     return {AUTOCUTS_NO_ROOM, "there is no room for the margins between the islands",
             "Use a smaller margin or a larger texture"};
+}
+
+//! Packs the islands of a map at the wanted density, over tiles.
+UvMatrix atDensity(const Job &job, const UvMatrix &uv)
+{
+    using Outcome = unwrap::TilePackingResult::Outcome;
+    unwrap::TilePacking tiles;
+    tiles.density = job.density;
+    const MeshData &mesh = *job.snapshot.mesh;
+    unwrap::TilePackingResult packed =
+        unwrap::packOverTiles(mesh, findCharts(mesh, uv), unwrap::steeredPackJob(job.snapshot, job.packing),
+                              tiles, uv, job.context.unstoppable());
+    if (packed.outcome == Outcome::TooMany)
+        throw Failure{AUTOCUTS_NO_ROOM, "the islands need more UDIM tiles than there are",
+                      "Use a lower density or a larger texture"};
+    if (packed.outcome != Outcome::Done)
+        throw noRoom();
+    return std::move(packed.uv);
 }
 
 //! Runs a call so that nothing is thrown at the caller.
@@ -335,6 +394,8 @@ autocuts_status autocuts_unwrap(const autocuts_mesh *mesh, const autocuts_option
         unwrap::UnwrapResult made = unwrap::unwrapMesh(job.snapshot, job.options, job.context);
         if (!made.packed && !made.nothingFree)
             throw noRoom();
+        if (job.density > 0 && !made.nothingFree)
+            made.uv = atDensity(job, made.uv);
         return mapOf(job, std::move(made.uv), made.stopped);
     });
 }
@@ -344,6 +405,8 @@ autocuts_status autocuts_pack(const autocuts_mesh *mesh, const autocuts_options 
 {
     return making(mesh, options, map, error, true, [](Job &job) {
         UvMatrix uv = *job.snapshot.uv;
+        if (job.density > 0)
+            return mapOf(job, atDensity(job, uv), job.stop);
         unwrap::PackJob pack = unwrap::steeredPackJob(job.snapshot, job.packing);
         pack.hurry = unwrap::PackHurry::WhenStopped;
         if (!unwrap::packCharts(*job.snapshot.mesh, findCharts(*job.snapshot.mesh, uv), pack, uv,
