@@ -134,8 +134,9 @@ private Q_SLOTS:
         studio.select(SelectionMode::Edges, studio.row());
         studio.trigger("uv.run");
         QVERIFY(QTest::qWaitFor([&] { return studio.solver.isRunning(); }, 10'000));
+        const int iteration = studio.solver.status().iteration;
         studio.trigger("uv.keepStraight");
-        QTest::qWait(300);
+        QTRY_VERIFY(studio.solver.status().iteration != iteration);
         studio.trigger("edit.undo"); // pauses the solve, or takes the mark back
         QVERIFY(studio.document().validate().isEmpty());
         if (studio.straightEdges() == 0)

@@ -227,9 +227,9 @@ private Q_SLOTS:
     {
         TextureWindow studio;
         studio.press(Qt::Key_Space);
-        QTest::qWait(300);
+        QTRY_VERIFY(studio.context.shownMap.isLive());
         studio.setTexture(u"1024"_s, u"2048"_s);
-        QTest::qWait(300);
+        QVERIFY(studio.context.solver.isRunning());
         studio.document()->undoStack().undo();
         studio.document()->undoStack().redo();
         studio.press(Qt::Key_Space);
@@ -238,9 +238,9 @@ private Q_SLOTS:
         QCOMPARE(studio.packing().tileHeight(), 2.0);
         // During an unwrap, and with Escape.
         studio.press(Qt::Key_U);
-        QTest::qWait(300);
+        QVERIFY(studio.context.map.jobs().isBusy());
         studio.setTexture(u"2048"_s, u"1024"_s);
-        QTest::qWait(300);
+        QVERIFY(studio.context.map.jobs().isBusy());
         studio.press(Qt::Key_Escape);
         QVERIFY(studio.jobsRest());
         QVERIFY(studio.document()->validate().isEmpty());
