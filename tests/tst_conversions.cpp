@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -99,6 +100,38 @@ std::pair<Vec3, Vec3> worldBox(const Scene &scene)
 {
     const PositionMatrix p = inUnits(scene.mesh->positions, unitsOf(scene), {});
     return {p.colwise().minCoeff().transpose(), p.colwise().maxCoeff().transpose()};
+}
+
+//! The Box of that file on a bone of a Rig. \param counts of weights of its vertices \param weights pairs of
+//! a bone and a weight, each by number
+QByteArray riggedDae(const QByteArray &counts, const QByteArray &weights)
+{
+    QByteArray dae = viewsDae();
+    dae.replace(
+        "<library_visual_scenes>",
+        "<library_controllers><controller id=\"c\"><skin source=\"#g\"><bind_shape_matrix>1 0 0 0 0 1 0 "
+        "0 0 0 1 0 0 0 0 1</bind_shape_matrix><source id=\"j\"><Name_array "
+        "id=\"ja\" count=\"1\">B</Name_array><technique_common><accessor source=\"#ja\" "
+        "count=\"1\"><param name=\"JOINT\" type=\"name\"/></accessor></technique_common></source>"
+        "<source id=\"b\"><float_array id=\"ba\" count=\"16\">1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"
+        "</float_array><technique_common><accessor source=\"#ba\" count=\"1\" stride=\"16\"><param "
+        "name=\"TRANSFORM\" type=\"float4x4\"/></accessor>"
+        "</technique_common></source><source id=\"w\"><float_array id=\"wa\" count=\"1\">1"
+        "</float_array><technique_common><accessor source=\"#wa\" count=\"1\" stride=\"1\"><param "
+        "name=\"WEIGHT\" type=\"float\"/></accessor></technique_common>"
+        "</source><joints><input semantic=\"JOINT\" source=\"#j\"/><input "
+        "semantic=\"INV_BIND_MATRIX\" source=\"#b\"/></joints><vertex_weights count=\"3\"><input "
+        "semantic=\"JOINT\" source=\"#j\" offset=\"0\"/><input semantic=\"WEIGHT\" "
+        "source=\"#w\" offset=\"1\"/><vcount>" +
+            counts + "</vcount><v>" + weights +
+            "</v></vertex_weights>"
+            "</skin></controller></library_controllers><library_visual_scenes>");
+    dae.replace("<node id=\"n1\" name=\"Box\"><instance_geometry url=\"#g\"/></node>",
+                "<node id=\"a\" name=\"Rig\"><translate>0 0 700</translate><node id=\"bone\" sid=\"B\" "
+                "name=\"Bone\" type=\"JOINT\"><translate>100 0 0</translate></node><node id=\"n1\" "
+                "name=\"Box\"><instance_controller url=\"#c\"><skeleton>#bone</skeleton>"
+                "</instance_controller></node></node>");
+    return dae;
 }
 
 } // namespace
@@ -345,29 +378,7 @@ private Q_SLOTS:
     //! In FBX files each bone says where its armature is, or programs put the mesh elsewhere.
     void armaturesInFbx()
     {
-        QByteArray dae = viewsDae();
-        dae.replace(
-            "<library_visual_scenes>",
-            "<library_controllers><controller id=\"c\"><skin source=\"#g\"><bind_shape_matrix>1 0 0 0 0 1 0 "
-            "0 0 0 1 0 0 0 0 1</bind_shape_matrix><source id=\"j\"><Name_array "
-            "id=\"ja\" count=\"1\">B</Name_array><technique_common><accessor source=\"#ja\" "
-            "count=\"1\"><param name=\"JOINT\" type=\"name\"/></accessor></technique_common></source>"
-            "<source id=\"b\"><float_array id=\"ba\" count=\"16\">1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"
-            "</float_array><technique_common><accessor source=\"#ba\" count=\"1\" stride=\"16\"><param "
-            "name=\"TRANSFORM\" type=\"float4x4\"/></accessor>"
-            "</technique_common></source><source id=\"w\"><float_array id=\"wa\" count=\"1\">1"
-            "</float_array><technique_common><accessor source=\"#wa\" count=\"1\" stride=\"1\"><param "
-            "name=\"WEIGHT\" type=\"float\"/></accessor></technique_common>"
-            "</source><joints><input semantic=\"JOINT\" source=\"#j\"/><input "
-            "semantic=\"INV_BIND_MATRIX\" source=\"#b\"/></joints><vertex_weights count=\"3\"><input "
-            "semantic=\"JOINT\" source=\"#j\" offset=\"0\"/><input semantic=\"WEIGHT\" "
-            "source=\"#w\" offset=\"1\"/><vcount>1 1 1</vcount><v>0 0 0 0 0 0</v></vertex_weights>"
-            "</skin></controller></library_controllers><library_visual_scenes>");
-        dae.replace("<node id=\"n1\" name=\"Box\"><instance_geometry url=\"#g\"/></node>",
-                    "<node id=\"a\" name=\"Rig\"><translate>0 0 700</translate><node id=\"bone\" sid=\"B\" "
-                    "name=\"Bone\" type=\"JOINT\"><translate>100 0 0</translate></node><node id=\"n1\" "
-                    "name=\"Box\"><instance_controller url=\"#c\"><skeleton>#bone</skeleton>"
-                    "</instance_controller></node></node>");
+        const QByteArray dae = riggedDae("1 1 1", "0 0 0 0 0 0");
         QVERIFY(saveAtomically(at(u"r.dae"_s), dae).ok());
         const Result<Scene> scene = readMesh(at(u"r.dae"_s));
         QVERIFY2(scene.ok(), scene ? "" : qPrintable(scene.error().toString()));
@@ -404,6 +415,46 @@ private Q_SLOTS:
         const Result<Scene> again = readMesh(at(u"s.dae"_s));
         QVERIFY(again.ok());
         QVERIFY((worldBox(again.value()).first - worldBox(fbx).first).norm() < 1e-5);
+    }
+
+    //! glTF files do not say where vertices without weights are: they get a bone that stays with the mesh.
+    void verticesWithoutWeightsInGltf()
+    {
+        QVERIFY(saveAtomically(at(u"w.dae"_s), riggedDae("1 1 0", "0 0 0 0")).ok());
+        const Result<Scene> scene = readMesh(at(u"w.dae"_s));
+        QVERIFY(scene.ok());
+        QVERIFY(writeMesh(scene.value(), at(u"w.glb"_s)).ok());
+        GltfFile file{loadFile(at(u"w.glb"_s), 1 << 20).value(), {}};
+        const GltfDocument document = openGltf(file);
+        const Json &json = document.json;
+        const Json &skin = json["skins"][0];
+        QCOMPARE(skin["joints"].size(), std::size_t(2));
+        const auto numbers = [&](const Json &accessor, int components) {
+            const Json &view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+            const auto start = view.value("byteOffset", 0) + accessor.value("byteOffset", 0);
+            std::vector<float> values(accessor["count"].get<std::size_t>() * std::size_t(components));
+            std::memcpy(values.data(), document.buffers[0].constData() + start,
+                        values.size() * sizeof(float));
+            return values;
+        };
+        const Json &attributes = json["meshes"][0]["primitives"][0]["attributes"];
+        const std::vector<float> weights =
+            numbers(json["accessors"][attributes["WEIGHTS_0"].get<std::size_t>()], 4);
+        for (std::size_t v = 0; v < weights.size(); v += 4)
+            QCOMPARE(weights[v] + weights[v + 1] + weights[v + 2] + weights[v + 3], 1.0F);
+        // Where the new bone puts them is where the mesh's node is: 7 units up, without that of the bone.
+        const auto matrices = numbers(json["accessors"][skin["inverseBindMatrices"].get<std::size_t>()], 16);
+        int rests = 0;
+        for (std::size_t joint = 0; joint < 2; ++joint) {
+            const Json &node = json["nodes"][skin["joints"][joint].get<std::size_t>()];
+            if (!node["name"].get<std::string>().ends_with(".rest"))
+                continue;
+            ++rests;
+            const Eigen::Map<const Eigen::Matrix4f> bind(matrices.data() + 16 * joint);
+            QVERIFY(bind.isIdentity(1e-6F));
+            QVERIFY(!node.contains("matrix")); // the mesh is a child of the rig, and so is the bone
+        }
+        QCOMPARE(rests, 1);
     }
 
     //! Pictures that glTF cannot hold become others, whatever their name is needed for.

@@ -19,6 +19,8 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -166,22 +168,36 @@ Eigen::Affine3d worldOf(const aiNode &node)
     return world;
 }
 
-//! Where a mesh was in the world when its bones were where they are now; nothing without bones.
-std::optional<Eigen::Affine3d> bindPlace(const aiScene &scene, const aiMesh &mesh)
+//! The node of the bone that is nearest to the root; null without bones.
+aiNode *topBone(const aiScene &scene, const aiMesh &mesh)
 {
-    std::optional<Eigen::Affine3d> place;
+    aiNode *top = nullptr;
     int depth = std::numeric_limits<int>::max();
     for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-        const aiNode *node = scene.mRootNode->FindNode(mesh.mBones[b]->mName);
+        aiNode *node = scene.mRootNode->FindNode(mesh.mBones[b]->mName);
         int own = 0;
         for (const aiNode *above = node; above; above = above->mParent)
             ++own;
-        if (!node || own >= depth)
-            continue;
-        depth = own; // the bones below may be posed
-        place = worldOf(*node) * Eigen::Affine3d(toEigen(mesh.mBones[b]->mOffsetMatrix));
+        if (node && own < depth) {
+            depth = own;
+            top = node;
+        }
     }
-    return place && std::abs(place->linear().determinant()) > 1e-30 ? place : std::nullopt;
+    return top;
+}
+
+//! Where a mesh was in the world when its bones were where they are now; nothing without bones.
+std::optional<Eigen::Affine3d> bindPlace(const aiScene &scene, const aiMesh &mesh)
+{
+    const aiNode *top = topBone(scene, mesh); // the bones below may be posed
+    for (unsigned b = 0; top && b < mesh.mNumBones; ++b) {
+        if (mesh.mBones[b]->mName != top->mName)
+            continue;
+        const Eigen::Affine3d place = worldOf(*top) * Eigen::Affine3d(toEigen(mesh.mBones[b]->mOffsetMatrix));
+        if (std::abs(place.linear().determinant()) > 1e-30)
+            return place;
+    }
+    return std::nullopt;
 }
 
 //! Moves a skinned mesh of a node to where it was bound. What bones make of it stays the same. Collada files
@@ -208,6 +224,68 @@ void bindAtParent(const aiScene &scene, aiNode &node, const std::vector<aiMesh *
             mesh->mBones[b]->mOffsetMatrix = mesh->mBones[b]->mOffsetMatrix * back;
     }
     node.mTransformation = node.mTransformation * back;
+}
+
+//! The vertices that no bone moves.
+std::vector<unsigned> withoutWeights(const aiMesh &mesh)
+{
+    std::vector<bool> has(mesh.mNumVertices, false);
+    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+        const std::span weights(mesh.mBones[b]->mWeights, mesh.mBones[b]->mNumWeights);
+        for (const aiVertexWeight &weight : weights)
+            has[weight.mVertexId] = has[weight.mVertexId] || weight.mWeight > 0;
+    }
+    std::vector<unsigned> bare;
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+        if (!has[v])
+            bare.push_back(v);
+    }
+    return bare;
+}
+
+void addChild(aiNode &node, aiNode *child)
+{
+    auto **children = new aiNode *[node.mNumChildren + 1];
+    std::copy_n(node.mChildren, node.mNumChildren, children);
+    children[node.mNumChildren++] = child;
+    delete[] node.mChildren;
+    node.mChildren = children;
+    child->mParent = &node;
+}
+
+void addBone(aiMesh &mesh, const aiString &name, const std::vector<unsigned> &vertices)
+{
+    auto *bone = new aiBone;
+    bone->mName = name;
+    bone->mNumWeights = static_cast<unsigned>(vertices.size());
+    bone->mWeights = new aiVertexWeight[vertices.size()];
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        bone->mWeights[i] = aiVertexWeight(vertices[i], 1);
+    auto **bones = new aiBone *[mesh.mNumBones + 1];
+    std::copy_n(mesh.mBones, mesh.mNumBones, bones);
+    bones[mesh.mNumBones++] = bone;
+    delete[] mesh.mBones;
+    mesh.mBones = bones;
+}
+
+//! Gives vertices without weights a bone that lies where the node does and is not moved: glTF files do not
+//! say where such vertices of a skinned mesh are. The bone is beside the topmost one.
+void weighAll(const aiScene &scene, const aiNode &node, const std::vector<aiMesh *> &meshes)
+{
+    aiNode *rest = nullptr;
+    for (aiMesh *mesh : meshes) {
+        const std::vector<unsigned> bare = withoutWeights(*mesh);
+        const aiNode *top = mesh->mNumBones > 0 ? topBone(scene, *mesh) : nullptr;
+        if (bare.empty() || !top || !top->mParent)
+            continue;
+        if (!rest) {
+            rest = new aiNode(std::string(node.mName.C_Str()) + ".rest");
+            rest->mTransformation =
+                toAssimp(Eigen::Matrix4d((worldOf(*top->mParent).inverse() * worldOf(node)).matrix()));
+            addChild(*top->mParent, rest);
+        }
+        addBone(*mesh, rest->mName, bare);
+    }
 }
 
 //! The faces of each pair of object and material; -1 means none.
@@ -258,6 +336,7 @@ ExportOptions exportOptions(const QString &format)
     // Assimp cannot read back Collada files with animations.
     options.animations = format != QLatin1String("dae");
     options.bindsAtParent = format == QLatin1String("dae");
+    options.weighsAll = isGltfFormat(format);
     options.linearColors = isGltfFormat(format);
     options.units = unitsOfFormat(format);
     return options;
@@ -357,6 +436,8 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
             own.push_back(meshes[mesh]);
         if (mOptions.bindsAtParent)
             bindAtParent(*mScene, *nodes[n], own);
+        if (mOptions.weighsAll)
+            weighAll(*mScene, *nodes[n], own);
     }
 }
 

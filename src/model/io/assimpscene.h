@@ -18,6 +18,7 @@ struct ExportOptions
     bool triangulate = false; //!< split polygons as MeshData does; Assimp splits concave polygons badly
     bool animations = true;
     bool linearColors = false;      //!< those of vertices; otherwise they are sRGB
+    bool weighsAll = false;         //!< every vertex of a skinned mesh gets weights
     bool bindsAtParent = false;     //!< skinned meshes lie where they were bound to their bones
     ModelUnits units;               //!< of the new file
     MaterialLooks *looks = nullptr; //!< names the pictures of materials; null: they have none
