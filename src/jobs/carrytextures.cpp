@@ -226,15 +226,17 @@ Result<MadePictures> carryTextures(const PictureInput &input, const std::optiona
     // Those that are not there yet overwrite nothing.
     if (const Result<Done> fine = checkOutputs(plan.existingFiles() + input.alsoWritten, kept); !fine)
         return fine.error();
-    if (sameMap(before->scene, scene))
-        return Error{choice.from == From::Textures
-                         ? JobTexts::tr("as far as the history knows, the textures fit this map already")
-                         : JobTexts::tr("the textures fit this map already"),
-                     {},
-                     0,
-                     choice.from == From::Textures
-                         ? JobTexts::tr("Choose the file or the UV set that they are for")
-                         : QString()};
+    // Pictures of another size, or chosen ones, have a use on the same map, too.
+    if (ofMaterials && choice.size == 0 && sameMap(before->scene, scene)) {
+        const Error fits =
+            choice.from == From::Textures
+                ? Error{JobTexts::tr("as far as the history knows, the textures fit this map already"),
+                        {},
+                        0,
+                        JobTexts::tr("Choose the file or the UV set that they are for")}
+                : Error{JobTexts::tr("the textures fit this map already"), {}, 0, {}};
+        return before->file ? withLosses(fits, *before->file) : fits;
+    }
     if (const Result<Done> folder = makePictureFolder(choice.folder); !folder)
         return folder.error();
     CarrySettings settings;
