@@ -428,8 +428,7 @@ autocuts_status autocuts_separate(const autocuts_mesh *mesh, const autocuts_opti
             throw noRoom();
         if (made.outcome == Outcome::Stopped)
             throw Failure{AUTOCUTS_STOPPED, "stopped before the overlaps were taken apart", {}};
-        const bool same = made.outcome != Outcome::Done;
-        return mapOf(job, same ? *job.snapshot.uv : std::move(made.uv), job.stop);
+        return mapOf(job, made.outcome == Outcome::Done ? made.uv : *job.snapshot.uv, job.stop);
     });
 }
 

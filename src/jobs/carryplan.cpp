@@ -80,7 +80,7 @@ QString formatOf(const SceneTexture &source, const QString &wanted)
 {
     if (!wanted.isEmpty())
         return wanted;
-    const QString suffix = QFileInfo(source.file).suffix().toLower();
+    QString suffix = QFileInfo(source.file).suffix().toLower();
     if (QStringList{u"png"_s, u"tif"_s, u"tiff"_s, u"tga"_s, u"exr"_s}.contains(suffix))
         return suffix;
     return suffix == "hdr"_L1 ? u"exr"_s : u"png"_s;
@@ -238,7 +238,7 @@ std::vector<TextureSet> carriedSets(const DocumentState &state, const CarryPlan 
     std::vector<TextureSet> sets = state.textureSets;
     for (const CarriedPicture &picture : plan.pictures) {
         for (const int material : picture.materials) {
-            const auto place = static_cast<std::size_t>(material + 1);
+            const auto place = static_cast<std::size_t>(material) + 1;
             sets.resize(std::max(sets.size(), place + 1));
             for (const auto &[channel, entry] : state.textureSet(material)) {
                 SceneTexture source = entry.picture;

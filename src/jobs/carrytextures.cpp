@@ -10,6 +10,7 @@
 #include "model/plain/udimtiles.h"
 #include "model/plain/uvlayout.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>

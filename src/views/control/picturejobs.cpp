@@ -12,6 +12,7 @@
 #include <QDir>
 
 #include <algorithm>
+#include <cmath>
 
 namespace autocuts {
 
@@ -26,7 +27,7 @@ QImage shownImage(const Picture &picture)
     const int step = (std::max(picture.width, picture.height) + largestShown - 1) / largestShown;
     QImage image(picture.width / step, picture.height / step, QImage::Format_RGB32);
     const auto part = [](float value) {
-        return value > 0 ? static_cast<int>(255 * std::min(1.0F, srgbFromLinear(value)) + 0.5F) : 0;
+        return value > 0 ? static_cast<int>(std::lround(255 * std::min(1.0F, srgbFromLinear(value)))) : 0;
     };
     for (int y = 0; y < image.height(); ++y) {
         auto *line = reinterpret_cast<QRgb *>(image.scanLine(y));
