@@ -1,7 +1,8 @@
 #include "jobs/bakechoice.h"
 
+#include "jobs/choicevalues.h"
+
 #include <QCborArray>
-#include <QVariant>
 
 #include <algorithm>
 
@@ -10,9 +11,7 @@ namespace autocuts::jobs {
 namespace {
 
 //! Visits every choice with its name in files, so that reading and writing use the same names.
-template <typename Choice, typename Visit>
-void visitChoices(Choice &choice, Visit visit)
-{
+constexpr auto visitChoices = [](auto &choice, const auto &visit) {
     visit("high", choice.high);
     visit("width", choice.width);
     visit("samplesPerSide", choice.samplesPerSide);
@@ -30,14 +29,13 @@ void visitChoices(Choice &choice, Visit visit)
     visit("bits", choice.bits);
     visit("folder", choice.folder);
     visit("putOn", choice.putOn);
-}
+};
 
 } // namespace
 
 QCborMap BakeChoice::toCbor() const
 {
-    QCborMap map;
-    visitChoices(*this, [&map](const char *key, const auto &value) { map[QLatin1StringView(key)] = value; });
+    QCborMap map = valuesOf(*this, visitChoices);
     map[QLatin1StringView("direction")] = static_cast<int>(direction);
     map[QLatin1StringView("colors")] = static_cast<int>(colors);
     map[QLatin1StringView("maps")] = QCborArray::fromStringList(maps);
@@ -47,11 +45,7 @@ QCborMap BakeChoice::toCbor() const
 BakeChoice BakeChoice::fromCbor(const QCborMap &map)
 {
     BakeChoice choice;
-    visitChoices(choice, [&map]<typename Value>(const char *key, Value &value) {
-        const QVariant read = map.value(QLatin1StringView(key)).toVariant();
-        if (read.canConvert<Value>())
-            value = read.value<Value>();
-    });
+    takeValues(map, choice, visitChoices);
     if (!map.contains(QLatin1StringView("ownCage"))) // written before cages were proposed
         choice.ownCage = choice.cage != BakeChoice().cage;
     choice.direction =

@@ -1,5 +1,7 @@
 #include "jobs/lightchoice.h"
 
+#include "jobs/choicevalues.h"
+
 #include <QCborArray>
 
 #include <cmath>
@@ -9,9 +11,7 @@ namespace autocuts::jobs {
 namespace {
 
 //! Visits every number, switch and text with its name in files.
-template <typename Choice, typename Visit>
-void visitLight(Choice &choice, Visit visit)
-{
+constexpr auto visitLight = [](auto &choice, const auto &visit) {
     visit("uvSet", choice.uvSet);
     visit("textureSize", choice.textureSize);
     visit("samples", choice.samples);
@@ -31,7 +31,7 @@ void visitLight(Choice &choice, Visit visit)
     visit("zUp", choice.lights.zUp);
     visit("albedoFile", choice.surface.albedoFile);
     visit("albedoUvSet", choice.surface.albedoUvSet);
-}
+};
 
 template <typename... Vectors>
 QCborArray numbersOf(const Vectors &...vectors)
@@ -73,8 +73,7 @@ QLatin1StringView key(const char *name)
 
 QCborMap LightChoice::toCbor() const
 {
-    QCborMap map;
-    visitLight(*this, [&map](const char *name, const auto &value) { map[key(name)] = value; });
+    QCborMap map = valuesOf(*this, visitLight);
     map[key("values")] = static_cast<int>(values);
     if (lights.sun)
         map[key("sun")] = numbersOf(*lights.sun);
@@ -100,11 +99,7 @@ QCborMap LightChoice::toCbor() const
 LightChoice LightChoice::fromCbor(const QCborMap &map)
 {
     LightChoice choice;
-    visitLight(choice, [&map]<typename Value>(const char *name, Value &value) {
-        const QVariant read = map.value(key(name)).toVariant();
-        if (read.canConvert<Value>())
-            value = read.value<Value>();
-    });
+    takeValues(map, choice, visitLight);
     choice.values = static_cast<bake::LightValue>(map.value(key("values")).toInteger());
     if (Vec2 sun; takeNumbers(map.value(key("sun")), sun))
         choice.lights.sun = sun;

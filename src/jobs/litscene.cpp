@@ -27,10 +27,7 @@ bool isExr(const QString &path)
 //! A picture of the base colours of all faces.
 Result<SurfaceTexture> readAlbedo(const QString &path)
 {
-    const Result<QByteArray> bytes = loadPictureFile(path);
-    if (!bytes)
-        return bytes.error();
-    Result<DecodedPicture> decoded = decodePicture(bytes.value(), path);
+    Result<DecodedPicture> decoded = readDecodedPicture(path);
     if (!decoded)
         return decoded.error();
     SurfaceTexture texture;

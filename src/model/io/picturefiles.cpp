@@ -269,12 +269,17 @@ Result<DecodedPicture> decodePicture(const QByteArray &bytes, const QString &pat
     }
 }
 
-Result<Picture> readPicture(const QString &path)
+Result<DecodedPicture> readDecodedPicture(const QString &path)
 {
     const Result<QByteArray> bytes = loadPictureFile(path);
     if (!bytes)
         return bytes.error();
-    Result<DecodedPicture> decoded = decodePicture(bytes.value(), path);
+    return decodePicture(bytes.value(), path);
+}
+
+Result<Picture> readPicture(const QString &path)
+{
+    Result<DecodedPicture> decoded = readDecodedPicture(path);
     if (!decoded)
         return decoded.error();
     return std::move(decoded.value().picture);

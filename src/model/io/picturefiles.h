@@ -28,6 +28,8 @@ struct DecodedPicture
 //! Errors: no such file, a folder, no permission, a damaged file, sides above maxPictureSide
 //! (`pictures/picturesize.h`).
 Result<Picture> readPicture(const QString &path);
+//! The same, with how the file stores it.
+Result<DecodedPicture> readDecodedPicture(const QString &path);
 
 //! The same for the bytes of a file. \param path for messages; a suffix .tga tells that format
 Result<DecodedPicture> decodePicture(const QByteArray &bytes, const QString &path);

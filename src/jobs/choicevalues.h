@@ -1,0 +1,29 @@
+// How the numbers, switches and texts of choices stand in sessions.
+#pragma once
+
+#include <QCborMap>
+#include <QVariant>
+
+namespace autocuts::jobs {
+
+//! \param visit calls what it gets with the name of each value in files and the value
+template <typename Choice, typename Visit>
+QCborMap valuesOf(const Choice &choice, Visit visit)
+{
+    QCborMap map;
+    visit(choice, [&map](const char *name, const auto &value) { map[QLatin1StringView(name)] = value; });
+    return map;
+}
+
+//! Leaves values that are missing, or of another type. \param visit as above
+template <typename Choice, typename Visit>
+void takeValues(const QCborMap &map, Choice &choice, Visit visit)
+{
+    visit(choice, [&map]<typename Value>(const char *name, Value &value) {
+        const QVariant read = map.value(QLatin1StringView(name)).toVariant();
+        if (read.canConvert<Value>())
+            value = read.value<Value>();
+    });
+}
+
+} // namespace autocuts::jobs
