@@ -1,5 +1,6 @@
 """The Python module: maps of the command line, arrays of all kinds, errors, threads, and the calls of xatlas."""
 
+import importlib.util
 import os
 import signal
 import subprocess
@@ -93,11 +94,18 @@ class Unwrapping(unittest.TestCase):
             ("vertex 3", lambda: autocuts.unwrap(nan, QUADS)),
             ("out of range", lambda: autocuts.unwrap(CUBE, QUADS + 5)),
             ("out of range", lambda: autocuts.unwrap(CUBE, QUADS - 1)),
-            ("two numbers per corner", lambda: autocuts.pack(CUBE, QUADS, CUBE[:, :2])),
+            ("2 numbers per corner", lambda: autocuts.pack(CUBE, QUADS, CUBE[:, :2])),
             ("draft, standard, best", lambda: autocuts.unwrap(CUBE, QUADS, quality="fast")),
             ("above 4", lambda: autocuts.unwrap(CUBE, QUADS, max_distortion=3)),
             ("one object per face", lambda: autocuts.unwrap(CUBE, QUADS, objects=[0])),
             ("one lock per face", lambda: autocuts.unwrap(CUBE, QUADS, locked=[0])),
+            ("one material per face", lambda: autocuts.unwrap(CUBE, QUADS, materials=[0])),
+            ("3 numbers per corner", lambda: autocuts.unwrap(CUBE, QUADS, normals=CUBE)),
+            ("edge weight of corner 2", lambda: autocuts.unwrap(CUBE, QUADS, edge_weights=[1, 1, -1] + [1] * 21)),
+            ("texel weight", lambda: autocuts.unwrap(CUBE, QUADS, texel_weights=[9] * 6)),
+            ("pin 0 is at a corner", lambda: autocuts.unwrap(CUBE, QUADS, pins=[[24, 0, 0]])),
+            ("none, free, 15", lambda: autocuts.unwrap(CUBE, QUADS, rotation=20)),
+            ("seams_from is made of", lambda: autocuts.unwrap(CUBE, QUADS, seams="keep", seams_from=["borders"])),
         ):
             with self.assertRaisesRegex(ValueError, words):
                 call()
@@ -135,6 +143,164 @@ class Unwrapping(unittest.TestCase):
         )
         ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120, check=False)
         self.assertEqual(ran.stdout.split(), ["True", "True"], ran.stderr)
+
+
+def grid(side=12):
+    """A wavy sheet of quads, as a Mesh."""
+    x, y = np.meshgrid(np.linspace(0, 3, side), np.linspace(0, 3, side))
+    i = np.arange((side - 1) * side).reshape(side - 1, side)[:, :-1].ravel()
+    points = np.column_stack([x.ravel(), y.ravel(), (np.sin(2 * x) * np.cos(2 * y) / 2).ravel()])
+    return autocuts.Mesh(points, np.column_stack([i, i + 1, i + side + 1, i + side]))
+
+
+class Steering(unittest.TestCase):
+    def test_given_seams(self):
+        made = autocuts.unwrap(CUBE, QUADS, seams="only", seams_from="sharp", quality="draft")
+        self.assertEqual(made.island_count, 6)
+        made = autocuts.unwrap(CUBE, QUADS, seams="only", seams_from=["materials"], materials=[0, 0, 1, 1, 1, 1], quality="draft")
+        self.assertGreaterEqual(made.island_count, 3)
+        up = np.tile([0.0, 0, 1], (24, 1))
+        up[:4] = [0, 0, -1]  # the edges of the first face are hard
+        made = autocuts.unwrap(CUBE, QUADS, seams="keep", seams_from="hard", normals=up, quality="draft")
+        self.assertEqual(made.seams[:4].tolist(), [1, 1, 1, 1])
+
+    def test_weights(self):
+        mesh = autocuts.Mesh(CUBE, QUADS)
+        free = autocuts.unwrap(mesh, quality="draft")
+        dear = autocuts.unwrap(mesh, edge_weights=np.where(free.seams, 10, 0.01), quality="draft")
+        self.assertFalse(np.array_equal(free.seams, dear.seams))
+        apart = {"edges": np.ones(24, dtype=np.uint8), "quality": "draft"}
+        uvs = autocuts.unwrap(mesh, texel_weights=[2, 1, 1, 1, 1, 1], **apart).uvs.reshape(6, 4, 2)
+        sides = np.linalg.norm(uvs[:, 0] - uvs[:, 1], axis=1)
+        self.assertTrue(np.allclose(sides[0] / sides[1:], 2, rtol=1e-3))
+
+    def test_pins(self):
+        mesh = grid()
+        free = autocuts.unwrap(mesh, quality="draft")
+        pins = [[0, *free.uvs[0]], [20, *(free.uvs[20] + [0.05, 0])]]
+        made = autocuts.unwrap(mesh, uvs=free.uvs, pins=pins, quality="draft")
+        self.assertTrue(np.allclose(made.uvs[[0, 20]], np.array(pins)[:, 1:], atol=1e-9))
+        self.assertEqual(made.outcome["unmet_pins"], 0)
+        torn = autocuts.unwrap(mesh, uvs=free.uvs, pins=[[0, 0.1, 0.1], [1, 0.9, 0.9], [2, 0.1, 0.9]], quality="draft")
+        self.assertEqual(torn.measure()["overlapping_pairs"], 0)
+
+    def test_other_jobs(self):
+        mesh = grid()
+        mesh.uvs = autocuts.unwrap(mesh, quality="draft").uvs
+        for job in (autocuts.finish, autocuts.align, autocuts.lightmap):
+            made = job(mesh)
+            figures = made.measure()
+            self.assertEqual((figures["flipped_triangles"], figures["overlapping_pairs"]), (0, 0), job.__name__)
+        two = autocuts.Mesh(np.vstack([CUBE, CUBE + [3, 0, 0]]), np.vstack([QUADS, QUADS + 8]), objects=np.repeat([0, 1], 6))
+        apart = autocuts.unwrap(two, quality="draft")
+        self.assertEqual(apart.measure()["overlapping_pairs"], 0)
+        stacked = autocuts.pack(two, uvs=apart.uvs, alike="stack").uvs.reshape(2, -1, 2)
+        self.assertTrue(np.allclose(np.sort(stacked[0], axis=0), np.sort(stacked[1], axis=0), atol=1e-6))
+
+    def test_transfer(self):
+        coarse, fine = grid(12), grid(23)
+        coarse.uvs = autocuts.unwrap(coarse, quality="draft").uvs
+        same, matched = autocuts.transfer(coarse, autocuts.Mesh(coarse.positions, coarse.faces))
+        self.assertTrue(np.array_equal(same.uvs, coarse.uvs) and matched["copied"] == len(coarse.faces))
+        near, matched = autocuts.transfer(coarse, fine)
+        self.assertEqual((matched["copied"], matched["placed"], np.isnan(near.uvs).any()), (0, len(fine.faces), False))
+        with self.assertRaisesRegex(ValueError, "not the same"):
+            autocuts.transfer(coarse, fine, match="topology")
+
+    def test_live(self):
+        mesh = grid()
+        live = autocuts.LiveSolve(mesh, threads=2)
+        first = None
+        while first is None and not live.rests:
+            first = live.wait(10)
+        self.assertEqual(first.measure()["flipped_triangles"], 0)
+        target = [0.25, 0.75]
+        live.steer(pins=[[0, *target]])
+        pinned = live.wait(30)
+        self.assertTrue(np.allclose(pinned.uvs[0], target, atol=1e-9))
+        live.steer(pins=None, edges=np.ones(mesh.corner_count, dtype=np.uint8))
+        cut = live.wait(30)
+        self.assertEqual(cut.island_count, len(mesh.faces))
+        while live.wait(30) is not None:
+            pass
+        self.assertTrue(live.rests)
+        with self.assertRaisesRegex(ValueError, "other faces"):
+            live.steer(positions=CUBE, faces=QUADS)
+
+
+class Pictures(unittest.TestCase):
+    def test_render_layout(self):
+        made = autocuts.unwrap(CUBE, QUADS, edges=np.ones(24, dtype=np.uint8), quality="draft")
+        image = autocuts.render_layout(made, (64, 64))
+        self.assertEqual((image.shape, image.dtype), ((64, 64, 4), np.uint8))
+        shown = image[..., 3] > 0
+        self.assertAlmostEqual(shown.mean(), made.measure()["packing_efficiency"], delta=0.1)
+        inner = autocuts.render_layout(made, 512)
+        colors = {tuple(color) for color in inner[inner[..., 3] > 0][:, :3].tolist()}
+        self.assertEqual(len(colors), 12)  # each island, and its border
+        square = np.tile([[0, 0], [1, 0], [1, 1], [0, 1]], (6, 1)).astype(float)
+        over = autocuts.render_layout(autocuts.take(CUBE, QUADS, square), 8)
+        self.assertEqual(over[4, 4].tolist(), [220, 40, 40, 255])
+        self.assertEqual(int(autocuts.render_layout(made, 8, tile=1002).sum()), 0)
+
+    def test_notebooks(self):
+        made = autocuts.unwrap(CUBE, QUADS, quality="draft")
+        text = made._repr_svg_()
+        self.assertEqual(text.count("Z"), 6)
+        self.assertIn("<svg", autocuts.Mesh(CUBE, QUADS, uvs=made.uvs)._repr_svg_())
+        self.assertIsNone(autocuts.Mesh(CUBE, QUADS)._repr_svg_())
+
+    def test_bake(self):
+        mesh = autocuts.Mesh(CUBE, QUADS)
+        mesh.uvs = autocuts.unwrap(mesh, quality="draft").uvs
+        mesh.colors = np.tile([1.0, 0, 0], (24, 1))
+        high = autocuts.Mesh(CUBE * 1.02 - 0.01, QUADS, colors=np.tile([0.0, 0, 1], (24, 1)))
+        made = autocuts.bake(mesh, ["object-normal", "ao", "color"], texture_size=64, rays=16)
+        self.assertEqual([made[name].shape for name in ("object-normal", "ao", "color")], [(64, 64, 3), (64, 64, 1), (64, 64, 3)])
+        self.assertGreater(made["texels"], 1000)
+        self.assertTrue((made["color"][..., 0] > 0.9).any() and (made["color"][..., 2] < 0.1).all())
+        self.assertTrue((made["ao"] > 0.99).all())  # nothing is hidden on a box
+        made = autocuts.bake(mesh, "color", high=high, cage="auto", texture_size=64)
+        self.assertTrue(made["missed"] == 0 and (made["color"][..., 2] > 0.9).any())
+        for words, call in (("maps are made of", lambda: autocuts.bake(mesh, "light")),
+                            ("no UVs", lambda: autocuts.bake(high)),
+                            ("shape of positions", lambda: autocuts.bake(mesh, high=high, cage_positions=CUBE[:3])),
+                            ("UDIM tile", lambda: autocuts.bake(mesh, tile=7))):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+
+
+class Files(unittest.TestCase):
+    def test_load_and_save(self):
+        with tempfile.TemporaryDirectory() as folder:
+            model = os.path.join(folder, "m.obj")
+            with open(model, "w", encoding="utf-8") as file:
+                file.write("o first\n" + "".join(f"v {x} {y} {z}\n" for x, y, z in CUBE))
+                file.write("".join(f"f {' '.join(str(v + 1) for v in face)}\n" for face in QUADS[:3]))
+                file.write("o second\n" + "".join(f"f {' '.join(str(v + 1) for v in face)}\n" for face in QUADS[3:]))
+            mesh = autocuts.Mesh.load(model)
+            self.assertEqual((mesh.object_names, mesh.objects.tolist()), (["first", "second"], [0] * 3 + [1] * 3))
+            self.assertEqual(mesh.sizes().tolist(), [4] * 6)
+            made = autocuts.unwrap(mesh, quality="draft")
+            for name in ("u.obj", "u.glb", "u.fbx", "u.acproj"):
+                path = os.path.join(folder, name)
+                mesh.save(path, made)
+                back = autocuts.Mesh.load(path)
+                figures = autocuts.take(back).measure()
+                self.assertAlmostEqual(figures["seam_norm"], made.measure()["seam_norm"], 4, name)
+                self.assertEqual((figures["overlapping_pairs"], len(back.object_names)), (0, 2), name)
+            fresh = autocuts.Mesh(CUBE, QUADS, uvs=autocuts.unwrap(CUBE, QUADS, quality="draft").uvs)
+            fresh.save(os.path.join(folder, "fresh.obj"))
+            self.assertTrue(np.array_equal(autocuts.Mesh.load(os.path.join(folder, "fresh.obj")).uvs, fresh.uvs))
+            with self.assertRaisesRegex(ValueError, "nothing.obj"):
+                autocuts.Mesh.load(os.path.join(folder, "nothing.obj"))
+
+    @unittest.skipUnless(importlib.util.find_spec("trimesh"), "trimesh is missing")
+    def test_trimesh(self):
+        import trimesh
+
+        made = autocuts.unwrap_trimesh(trimesh.creation.box(), quality="draft")
+        self.assertEqual((len(made.faces), made.visual.uv.shape[1]), (12, 2))
 
 
 class Xatlas(unittest.TestCase):
@@ -191,6 +357,22 @@ class Xatlas(unittest.TestCase):
         vmapping, _, made = atlas[0]
         sides = np.linalg.norm(made[np.argsort(vmapping)] - np.roll(made[np.argsort(vmapping)], 1, axis=0), axis=1)
         self.assertTrue(np.ptp(sides) < 1e-5)
+
+    def test_limits_blocks_and_images(self):
+        atlas = xatlas.Atlas()
+        atlas.add_mesh(CUBE, TRIANGLES)
+        atlas.add_mesh(CUBE * [1, 1, 9], TRIANGLES)
+        options = xatlas.PackOptions(padding=2, resolution=256, blockAlign=True, max_chart_size=100, create_image=True)
+        atlas.generate(pack_options=options)
+        for i in range(2):
+            _, indices, uvs = atlas[i]
+            self.assertLessEqual(np.ptp(uvs, axis=0).max() * 256, 100.01)
+            low = uvs.min(axis=0) * 256
+            self.assertTrue(np.allclose(low / 4, np.round(low / 4), atol=1e-3))
+        self.assertEqual((atlas.chart_image.shape, atlas.chart_image.dtype), ((256, 256, 3), np.uint8))
+        self.assertGreater(atlas.texels_per_unit, 1)
+        with self.assertRaisesRegex(IndexError, "out of bounds"):
+            atlas.get_chart_image(1)
 
     def test_errors(self):
         for words, kind, call in (

@@ -5,21 +5,73 @@ from numpy.typing import ArrayLike, NDArray
 
 version: str
 
+Progress = Optional[Callable[[float], bool]]
+
 class Options:
+    """autocuts_options of the C header."""
+
     quality: int
     max_distortion: float
+    seams: int
+    seams_from: int
+    sharp_angle: float
     surface: int
+    flat_rigid: int
+    alike: int
+    creases: int
+    crease_strength: float
+    visibility: float
     symmetry: int
+    mirror: int
     align: int
+    world_up: int
     texture_width: int
     texture_height: int
     margin: float
-    border: float
+    tile_border: float
     rotation: int
     keep_scale: int
-    pack_effort: float
+    pack_time: float
     density: float
     threads: int
+
+class BakeOptions:
+    """autocuts_bake_options of the C header."""
+
+    width: int
+    height: int
+    tile: int
+    samples: int
+    rays: int
+    cage: float
+    cage_direction: int
+    ray_reach: float
+    curvature_radius: float
+    thickness_limit: float
+    dilation: int
+    directx: int
+    floats: int
+    threads: int
+
+class Arrays:
+    """The arrays of a mesh, checked."""
+
+    def __init__(
+        self,
+        positions: ArrayLike,
+        faces: ArrayLike,
+        face_sizes: Optional[ArrayLike],
+        uvs: Optional[ArrayLike],
+        objects: Optional[ArrayLike],
+        materials: Optional[ArrayLike],
+        normals: Optional[ArrayLike],
+        colors: Optional[ArrayLike],
+        locked: Optional[ArrayLike],
+        edges: Optional[ArrayLike],
+        edge_weights: Optional[ArrayLike],
+        texel_weights: Optional[ArrayLike],
+        pins: Optional[ArrayLike],
+    ) -> None: ...
 
 class Map:
     """A map of a mesh. Its arrays cannot be written and keep the map alive."""
@@ -37,19 +89,35 @@ class Map:
     def island_count(self) -> int: ...
     @property
     def stopped(self) -> bool: ...
+    @property
+    def outcome(self) -> dict[str, float]:
+        """stopped, within_bound, hard_share, unmet_pins, unmet_joins, missing_seams."""
     def measure(self) -> dict[str, float]:
         """distortion, seam_norm, packing_efficiency, gutter_texels, islands, flipped_triangles, overlapping_pairs."""
+    def draw(self, width: int, height: int, tile: int) -> NDArray[np.uint8]:
+        """(height, width, 4): see render_layout()."""
 
-def _call(
-    positions: ArrayLike,
-    faces: ArrayLike,
-    face_sizes: Optional[ArrayLike],
-    uvs: Optional[ArrayLike],
-    objects: Optional[ArrayLike],
-    locked: Optional[ArrayLike],
-    edges: Optional[ArrayLike],
-    options: Options,
-    progress: Optional[Callable[[float], bool]],
-) -> Map: ...
+class LiveSolve:
+    def __init__(self, mesh: Arrays, options: Options) -> None: ...
+    def steer(self, mesh: Arrays, options: Options) -> None: ...
+    def wait(self, seconds: float) -> Optional[Map]: ...
+    def rests(self) -> bool: ...
 
-unwrap = pack = separate = take = _call
+def unwrap(mesh: Arrays, options: Options, progress: Progress) -> Map: ...
+def finish(mesh: Arrays, options: Options, progress: Progress) -> Map: ...
+def pack(mesh: Arrays, options: Options, progress: Progress) -> Map: ...
+def separate(mesh: Arrays, options: Options, progress: Progress) -> Map: ...
+def align(mesh: Arrays, options: Options, progress: Progress) -> Map: ...
+def lightmap(mesh: Arrays, options: Options, progress: Progress) -> Map: ...
+def take(mesh: Arrays, options: Options, progress: Progress) -> Map: ...
+def transfer(
+    source: Arrays, mesh: Arrays, match: int, options: Options, progress: Progress
+) -> tuple[Map, dict[str, float]]: ...
+def bake(
+    mesh: Arrays,
+    high: Optional[Arrays],
+    maps: list[int],
+    options: BakeOptions,
+    cage: Optional[ArrayLike],
+    progress: Progress,
+) -> tuple[list[NDArray[np.float32]], int, int]: ...

@@ -1,10 +1,11 @@
 """The calls of xatlas-python, so that a pipeline changes one line: from autocuts import xatlas
 
 Works: parametrize(), export(), Atlas with several meshes and, where texels_per_unit and resolution are given, several
-atlases; padding, resolution, rotate_charts, bruteForce (more effort when packing) and use_input_mesh_uvs (the charts of
-the given UVs are kept and packed). Taken and without effect: the costs and weights of ChartOptions, max_chart_size,
-bilinear, blockAlign, create_image. Where there are several atlases, get_mesh_atlases() says in which one each triangle
-lies; UVs are those in its atlas. Faces that cannot be mapped (without area, with NaN) get UVs of 0.
+atlases; padding, resolution, rotate_charts, bruteForce (more effort when packing), blockAlign, max_chart_size, create_image
+and use_input_mesh_uvs (the charts of the given UVs are kept and packed). Taken and without effect: the costs and weights of
+ChartOptions, max_chart_area and max_boundary_length, rotate_charts_to_axis, bilinear. Where there are several atlases,
+get_mesh_atlases() says in which one each triangle lies; UVs are those in its atlas. Faces that cannot be mapped (without
+area, with NaN) get UVs of 0.
 
 quality is "draft"; set xatlas.quality = "standard" for shorter seams.
 """
@@ -13,11 +14,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import pack, separate, unwrap
+from .mapping import pack, render_layout, separate, take, unwrap
 
 quality = "draft"
 __all__ = ["Atlas", "ChartOptions", "PackOptions", "export", "parametrize", "quality"]
-
 
 @dataclass
 class ChartOptions:
@@ -50,6 +50,8 @@ class PackOptions:
     create_image: bool = False
     rotate_charts_to_axis: bool = True
     rotate_charts: bool = True
+    block_align: bool = False  # as the last versions write it
+    brute_force: bool = False
 
 
 def _array(values, columns, name):
@@ -78,6 +80,50 @@ def _mappable(positions, triangles):
     return np.isfinite(corners).all(axis=(1, 2)) & (np.abs(corners) <= 1e150).all(axis=(1, 2)) & (area > 0)
 
 
+_BLOCK = 4  # texels along the side of a block of compressed textures
+
+
+def _areas(corners):
+    """Areas of triangles in the plane or in space."""
+    a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    if corners.shape[2] == 2:
+        return abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) / 2
+    return np.linalg.norm(np.cross(a, b), axis=1) / 2
+
+
+def _scale(corners, uvs):
+    """Length in the map per length on the surface."""
+    area = _areas(corners).sum()
+    return float(np.sqrt(_areas(uvs).sum() / area)) if area > 0 else 0.0
+
+
+def _boxes(result):
+    """Lower and upper corner of the box of each chart, and the chart of each corner of the mesh."""
+    charts = np.repeat(result.islands, 3)
+    low, high = np.full((result.island_count, 2), np.inf), np.full((result.island_count, 2), -np.inf)
+    np.minimum.at(low, charts, result.uvs)
+    np.maximum.at(high, charts, result.uvs)
+    return low, high, charts
+
+
+def _limit(result, positions, faces, objects, most, options):
+    """Charts that are longer than `most` texels are scaled down, and all are packed as they are then."""
+    low, high, charts = _boxes(result)
+    factor = np.minimum(1, most / options["texture_size"] / np.maximum((high - low).max(axis=1), 1e-300))
+    if (factor == 1).all():
+        return result
+    uvs = low[charts] + (result.uvs - low[charts]) * factor[charts, None]
+    kept = {name: value for name, value in options.items() if name != "density"}
+    return pack(positions, faces, uvs, objects=objects, keep_scale=True, **{**kept, "rotation": "none"})
+
+
+def _to_blocks(result, side):
+    """Charts moved so that their boxes begin at blocks."""
+    low, _, charts = _boxes(result)
+    step = _BLOCK / side
+    return result.uvs + (np.floor(low / step + 1e-6) * step - low)[charts]
+
+
 class Atlas:
     """Meshes that share one texture."""
 
@@ -88,6 +134,8 @@ class Atlas:
         self._side = 0
         self._atlases = 0
         self._triangle_atlases = []
+        self._images = []
+        self._texels_per_unit = 0.0
 
     def add_mesh(self, positions, indices, normals=None, uvs=None):
         positions = _array(positions, 3, "positions")
@@ -107,12 +155,16 @@ class Atlas:
         options = {
             "texture_size": packing.resolution or 1024,
             "margin": max(packing.padding, 0),
-            "rotation": "any" if packing.rotate_charts else "none",
+            "rotation": "free" if packing.rotate_charts else "none",
         }
-        if packing.bruteForce:
-            options["pack_effort"] = 10.0
+        if packing.bruteForce or packing.brute_force:
+            options["pack_time"] = 10.0
         if packing.texels_per_unit > 0 and packing.resolution > 0:
             options["density"] = packing.texels_per_unit
+        blocks = packing.blockAlign or packing.block_align
+        if blocks:
+            options["margin"] += 2 * _BLOCK - 2  # charts move by less than a block along each axis
+            options["tile_border"] = max(options["margin"] / 2, _BLOCK)
         self._side = options["texture_size"]
         positions, corners, objects, kept, uvs = [np.empty((0, 3))], [], [], [], []
         first = 0
@@ -128,13 +180,24 @@ class Atlas:
         faces = np.concatenate(corners) if corners else np.empty((0, 3), dtype=np.int64)
         made = np.empty((0, 3, 2))
         if len(faces):
-            made = self._map(np.concatenate(positions), faces, np.concatenate(objects), uvs, chart, options)
+            points, numbers = np.concatenate(positions), np.concatenate(objects)
+            result = self._map(points, faces, numbers, uvs, chart, options)
+            if packing.max_chart_size > 0:
+                result = _limit(result, points, faces, numbers, packing.max_chart_size, options)
+            if blocks:
+                result = take(points, faces, _to_blocks(result, self._side), objects=numbers, **options)
+            self._figures = result.measure()
+            made = result.uvs.reshape(-1, 3, 2)
+            self._texels_per_unit = self._side * _scale(points[faces], made)
         made = np.nan_to_num(made)
         # UDIM tiles are atlases, in their order.
         tile = np.floor(made.mean(axis=1)).astype(np.int64)
-        _, atlas = np.unique(tile[:, 0] + 10 * tile[:, 1], return_inverse=True)
+        numbers, atlas = np.unique(tile[:, 0] + 10 * tile[:, 1], return_inverse=True)
         made = made - tile[:, None, :]
         self._atlases = int(atlas.max()) + 1 if len(faces) else 0
+        self._images = []
+        if packing.create_image and len(faces):
+            self._images = [render_layout(result, self._side, 1001 + int(number))[:, :, :3] for number in numbers]
         self._results, self._triangle_atlases, at = [], [], 0
         for (_, triangles, _), good in zip(self._meshes, kept):
             uv, places = np.zeros((len(triangles), 3, 2)), np.zeros(len(triangles), dtype=np.uint32)
@@ -152,8 +215,7 @@ class Atlas:
                 result = separate(positions, faces, given, objects=objects, **options)
         else:
             result = unwrap(positions, faces, objects=objects, quality=quality, **options)
-        self._figures = result.measure()
-        return result.uvs.reshape(-1, 3, 2)
+        return result
 
     @staticmethod
     def _split(triangles, uv, atlas):
@@ -184,6 +246,14 @@ class Atlas:
             raise IndexError(f"Atlas index {index} out of bounds")
         return self._figures["packing_efficiency"]
 
+    def get_chart_image(self, index):
+        """(height, width, 3) bytes: the charts in colours. Only with create_image."""
+        if not 0 <= index < len(self._images):
+            raise IndexError(f"Chart image index {index} out of bounds, or create_image was not set")
+        return self._images[index]
+
+    chart_image = property(lambda self: self.get_chart_image(0))
+    texels_per_unit = property(lambda self: self._texels_per_unit)
     mesh_count = property(__len__)
     atlas_count = property(lambda self: self._atlases)
     chart_count = property(lambda self: self._figures.get("islands", 0))

@@ -184,21 +184,10 @@ Result<TransferredUvs> runTransfer(const TransferJob &input, const transfer::Tra
             faces = facesOfObject(*input.mesh, objects[i], std::move(faces));
         const Piece piece = pieceOf(input.mesh, input.uv, faces);
         const transfer::TransferControl part = partOfControl(control, i, objects.size());
-        const auto transferFrom = [&](const MeshData &mesh) {
-            return transferUvs({mesh, source.uv, *piece.mesh, input.match, input.sourceObject >= 0}, part);
-        };
-        UvTransfer made = transferFrom(*source.mesh);
-        if (made.status == UvTransfer::Status::Apart && input.sourceObject < 0) {
-            for (const transfer::Placement &placement :
-                 transfer::likelyPlacements(*source.mesh, *piece.mesh)) {
-                UvTransfer there = transferFrom(*transfer::placed(*source.mesh, placement));
-                if (there.status != UvTransfer::Status::Apart) {
-                    made = std::move(there);
-                    result.placement = placement;
-                    break;
-                }
-            }
-        }
+        const transfer::UvTransferInput pair{*source.mesh, source.uv, *piece.mesh, input.match,
+                                             input.sourceObject >= 0};
+        UvTransfer made =
+            pair.mayMove ? transferUvs(pair, part) : transferAnywhere(pair, part, result.placement);
         if (made.status == UvTransfer::Status::Stopped) {
             result.stopped = true;
             return result;

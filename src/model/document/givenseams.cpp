@@ -1,59 +1,13 @@
 #include "model/document/givenseams.h"
 
-#include "model/plain/edgeangles.h"
-#include "model/plain/uvseams.h"
-
-#include <numbers>
+#include "model/plain/givenseams.h"
 
 namespace autocuts {
-
-namespace {
-
-//! Per edge pair: both polygons have UVs, and their sides of the edge are apart.
-std::vector<bool> mapSeams(const MeshData &mesh, const UvMatrix &uv)
-{
-    const std::vector<bool> open = openCornerPairs(mesh, uv);
-    std::vector<bool> seams(mesh.edgePairs.size(), false);
-    for (std::size_t e = 0; e < seams.size(); ++e) {
-        const auto &ends = mesh.edgePairs[e].corner;
-        const auto hasUvs = [&](const std::array<int, 2> &end) {
-            return uv.row(mesh.cornerOfSoup(end[0])).allFinite() &&
-                   uv.row(mesh.cornerOfSoup(end[1])).allFinite();
-        };
-        seams[e] = (open[2 * e] || open[2 * e + 1]) && hasUvs(ends[0]) && hasUvs(ends[1]);
-    }
-    return seams;
-}
-
-} // namespace
 
 std::vector<bool> givenSeams(const Scene &scene, const UvMatrix *uv, std::span<const PairState> states,
                              const GivenSeamOptions &options)
 {
-    const MeshData &mesh = *scene.mesh;
-    const std::size_t count = mesh.edgePairs.size();
-    const std::vector<bool> none(count, false);
-    const std::vector<bool> inMap = options.map && uv ? mapSeams(mesh, *uv) : none;
-    const std::vector<bool> &hard = options.hard && !scene.hardEdges.empty() ? scene.hardEdges : none;
-    const std::vector<double> angles = options.sharp ? edgeAngles(mesh) : std::vector<double>(count, 0);
-    const double sharpAngle = options.sharpAngle * std::numbers::pi / 180;
-    const bool byMaterial = options.materials && !scene.faceMaterial.empty();
-    std::vector<bool> given = none;
-    for (std::size_t e = 0; e < count; ++e) {
-        const EdgePair &pair = mesh.edgePairs[e];
-        const auto is = [&](PairState state) {
-            return !states.empty() && (states[2 * e] == state || states[2 * e + 1] == state);
-        };
-        const auto material = [&](int side) {
-            return scene.faceMaterial[mesh.triangleFace[pair.triangle[side]]];
-        };
-        const bool cut = is(PairState::Cut);
-        if (pair.diagonal || (is(PairState::Joined) && !cut))
-            continue;
-        given[e] = (options.cuts && cut) || inMap[e] || hard[e] || angles[e] > sharpAngle ||
-                   (byMaterial && material(0) != material(1));
-    }
-    return given;
+    return givenSeams({*scene.mesh, uv, states, scene.hardEdges, scene.faceMaterial}, options);
 }
 
 bool changesGivenSeams(const ChangeEvent &event)

@@ -6,9 +6,9 @@
 #include "model/io/assimpprocess.h"
 #include "model/io/assimpscene.h"
 #include "model/io/assimptextures.h"
-#include "model/io/hardedges.h"
 #include "model/io/meshlimits.h"
 #include "model/io/modelunits.h"
+#include "model/plain/hardedges.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,6 +1,6 @@
 #include "model/io/fbxshading.h"
 
-#include "model/io/hardedges.h"
+#include "model/plain/hardedges.h"
 #include "model/plain/polygonsides.h"
 
 #include <algorithm>

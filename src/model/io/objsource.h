@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/scene.h"
-#include "model/io/hardedges.h"
+#include "model/plain/hardedges.h"
 
 #include <QByteArray>
 

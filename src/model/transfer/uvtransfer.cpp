@@ -117,6 +117,24 @@ UvTransfer transferUvs(const UvTransferInput &input, const TransferControl &cont
     return result;
 }
 
+UvTransfer transferAnywhere(const UvTransferInput &input, const TransferControl &control,
+                            Placement &placement)
+{
+    UvTransfer made = transferUvs(input, control);
+    if (made.status != UvTransfer::Status::Apart)
+        return made;
+    for (const Placement &likely : likelyPlacements(input.source, input.mesh)) {
+        const std::shared_ptr<const MeshData> source = placed(input.source, likely);
+        UvTransfer there =
+            transferUvs({*source, input.sourceUv, input.mesh, input.match, input.mayMove}, control);
+        if (there.status != UvTransfer::Status::Apart) {
+            placement = likely;
+            return there;
+        }
+    }
+    return made;
+}
+
 double seamLength(const MeshData &mesh, const UvMatrix &uv)
 {
     const std::vector<bool> open = openCornerPairs(mesh, uv);

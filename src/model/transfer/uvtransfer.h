@@ -1,6 +1,7 @@
 // Brings the UVs of one mesh to another, by equal polygons or by position. Plain: no Qt.
 #pragma once
 
+#include "model/transfer/placement.h"
 #include "model/transfer/positiontransfer.h"
 
 namespace autocuts::transfer {
@@ -61,6 +62,11 @@ struct UvTransferInput
 };
 
 UvTransfer transferUvs(const UvTransferInput &input, const TransferControl &control);
+
+//! The same, and where the source lies apart, tries it in other units or with another axis up.
+//! \param placement becomes that of the source, if it needed another one
+UvTransfer transferAnywhere(const UvTransferInput &input, const TransferControl &control,
+                            Placement &placement);
 
 //! The total length of the seams of a map between faces that have UVs.
 double seamLength(const MeshData &mesh, const UvMatrix &uv);

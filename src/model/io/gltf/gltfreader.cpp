@@ -6,9 +6,9 @@
 #include "model/io/gltf/gltfprimitive.h"
 #include "model/io/gltf/gltftextures.h"
 #include "model/io/gltf/gltfuvnames.h"
-#include "model/io/hardedges.h"
 #include "model/io/meshlimits.h"
 #include "model/io/savefile.h"
+#include "model/plain/hardedges.h"
 
 #include <QDir>
 #include <QFileInfo>

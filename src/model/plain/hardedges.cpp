@@ -1,4 +1,4 @@
-#include "model/io/hardedges.h"
+#include "model/plain/hardedges.h"
 
 #include <Eigen/Geometry>
 

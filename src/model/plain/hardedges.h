@@ -1,4 +1,4 @@
-// Finds the hard edges of a model in what its file says about shading.
+// Finds the hard edges of a model in what its file says about shading. Plain: no Qt.
 #pragma once
 
 #include "model/plain/meshdata.h"
