@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -105,6 +106,7 @@ private Q_SLOTS:
                  qPrintable(said.value_or(QString())));
     }
 
+    //! A program is built with what pkg-config says, also for the address sanitizer.
     void pkgConfigFindsIt()
     {
         const QString file =
@@ -114,6 +116,75 @@ private Q_SLOTS:
         QVERIFY(text.open(QIODevice::ReadOnly));
         const QByteArray content = text.readAll();
         QVERIFY(content.contains("-lautocuts") && !content.contains(mFolder.path().toUtf8())); // relocatable
+        const QString folder = QFileInfo(file).path(), program = mFolder.filePath(u"byPkgConfig"_s);
+        const auto flags = run(u"env"_s, {u"PKG_CONFIG_PATH="_s + folder, u"pkg-config"_s, u"--cflags"_s,
+                                          u"--libs"_s, u"autocuts"_s});
+        QVERIFY(flags);
+        const QStringList words = flags->simplified().split(u' ');
+        for (const QString &checks : {u"-O1"_s, u"-fsanitize=address"_s}) {
+            QVERIFY(run(u"cc"_s,
+                        QStringList{checks, QStringLiteral(AUTOCUTS_SOURCE_DIR "/examples/measurecube.c"),
+                                    u"-o"_s, program} +
+                            words));
+            const QString library = u"LD_LIBRARY_PATH="_s + QDir::cleanPath(folder + u"/.."_s);
+            QCOMPARE(run(u"env"_s, {library, program}), u"islands 1, distortion 4, flipped 0\n"_s);
+        }
+    }
+
+    //! Another project has the source tree as a part of it, without the studio.
+    void canBeASubdirectory()
+    {
+        const QString folder = mFolder.filePath(u"outer"_s);
+        QVERIFY(QDir().mkpath(folder));
+        QFile file(folder + u"/CMakeLists.txt"_s);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("cmake_minimum_required(VERSION 3.25)\nproject(Outer LANGUAGES C CXX)\n"
+                   "add_subdirectory(" AUTOCUTS_SOURCE_DIR " autocuts)\n"
+                   "add_executable(measurecube " AUTOCUTS_SOURCE_DIR "/examples/measurecube.c)\n"
+                   "target_link_libraries(measurecube PRIVATE Autocuts::Autocuts)\n");
+        file.close();
+        QVERIFY(run(u"cmake"_s, {u"-S"_s, folder, u"-B"_s, folder + u"/build"_s, u"-G"_s, u"Ninja"_s,
+                                 u"-DAUTOCUTS_STUDIO=OFF"_s, u"-DCMAKE_DISABLE_FIND_PACKAGE_Qt6=ON"_s}));
+        QVERIFY(run(u"ninja"_s, {u"-C"_s, folder + u"/build"_s, u"-n"_s, u"measurecube"_s}));
+    }
+
+    //! Programs that were built with this version go on working: no field moves. A field that is added at the
+    //! end of a struct that begins with its size is a new minor version, anything else a new SONAME.
+    void layoutOfStructs()
+    {
+        const auto offsets = [](auto... values) { return std::vector<std::size_t>{std::size_t(values)...}; };
+#define AT(field) offsetof(Struct, field)
+        {
+            using Struct = autocuts_mesh;
+            QCOMPARE(offsets(AT(positions), AT(vertex_count), AT(face_sizes), AT(face_count), AT(indices),
+                             AT(face_objects), AT(face_materials), AT(normals), AT(colors), AT(uvs),
+                             AT(locked_faces), AT(edges), AT(edge_weights), AT(texel_weights), AT(pins),
+                             AT(pin_count), sizeof(Struct)),
+                     offsets(0, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128));
+        }
+        {
+            using Struct = autocuts_options;
+            QCOMPARE(offsets(AT(size), AT(quality), AT(max_distortion), AT(seams), AT(seams_from),
+                             AT(sharp_angle), AT(surface), AT(flat_rigid), AT(alike), AT(creases),
+                             AT(crease_strength), AT(visibility), AT(symmetry), AT(mirror), AT(align),
+                             AT(world_up), AT(texture_width), AT(texture_height), AT(margin), AT(tile_border),
+                             AT(rotation), AT(keep_scale), AT(pack_time), AT(density), AT(threads),
+                             AT(progress), AT(user), sizeof(Struct)),
+                     offsets(0, 8, 16, 24, 28, 32, 40, 44, 48, 52, 56, 64, 72, 76, 80, 84, 88, 92, 96, 104,
+                             112, 116, 120, 128, 136, 144, 152, 160));
+        }
+        {
+            using Struct = autocuts_bake_options;
+            QCOMPARE(offsets(AT(size), AT(width), AT(height), AT(tile), AT(samples), AT(rays), AT(cage),
+                             AT(cage_positions), AT(cage_direction), AT(ray_reach), AT(curvature_radius),
+                             AT(thickness_limit), AT(dilation), AT(directx), AT(floats), AT(threads),
+                             AT(progress), AT(user), sizeof(Struct)),
+                     offsets(0, 8, 12, 16, 20, 24, 32, 40, 48, 56, 64, 72, 80, 84, 88, 92, 96, 104, 112));
+        }
+#undef AT
+        QCOMPARE(offsets(sizeof(autocuts_error), sizeof(autocuts_pin), sizeof(autocuts_transferred),
+                         sizeof(autocuts_outcome), sizeof(autocuts_figures), sizeof(autocuts_baked)),
+                 offsets(384, 32, 40, 40, 56, 16));
     }
 
     //! The same bits as the command line.
@@ -150,7 +221,7 @@ private Q_SLOTS:
             QVERIFY2(line.section(u' ', -1).startsWith(u"autocuts_"_s), qPrintable(line));
             ++count;
         }
-        QCOMPARE(count, 15);
+        QCOMPARE(count, 28);
     }
 
     void islandsAndSeams()
@@ -248,6 +319,102 @@ private Q_SLOTS:
                                         2, 1, 1, 1, 2, 0, .5, .2, .5, .8, 2, 1};
         const autocuts::Map map = autocuts::separate({positions, indices, sizes, {}, strip});
         QCOMPARE(map.measure().overlapping_pairs, std::int64_t(0));
+    }
+
+    //! Weights, pins, given seams, and what the map could not obey.
+    void obeysOtherWishes()
+    {
+        const Cube cube;
+        autocuts::Mesh mesh = cube.view();
+        const autocuts::Map free = autocuts::unwrap(mesh, draft());
+        std::vector<double> weights;
+        for (const std::uint8_t seam : free.seams())
+            weights.push_back(seam ? 10 : 0.01);
+        mesh.edgeWeights = weights;
+        QVERIFY(!std::ranges::equal(autocuts::unwrap(mesh, draft()).seams(), free.seams()));
+        mesh = cube.view();
+        const std::vector<double> uvs(free.uvs().begin(), free.uvs().end());
+        const std::vector<autocuts::Pin> pins{{0, uvs[0], uvs[1], 0}, {2, uvs[4] + 0.01, uvs[5], 0}};
+        mesh.uvs = uvs;
+        mesh.pins = pins;
+        const autocuts::Map pinned = autocuts::unwrap(mesh, draft());
+        QVERIFY(std::abs(pinned.uvs()[4] - pins[1].u) < 1e-9 && std::abs(pinned.uvs()[5] - pins[1].v) < 1e-9);
+        QCOMPARE(pinned.outcome().unmet_pins, std::int64_t(0));
+        mesh = cube.view();
+        autocuts::Options options = draft();
+        options.seams = AUTOCUTS_SEAMS_ONLY;
+        options.seams_from = AUTOCUTS_SEAMS_FROM_SHARP;
+        QCOMPARE(autocuts::unwrap(mesh, options).islandCount(), std::size_t(6));
+        const std::vector<std::uint8_t> joined(24, AUTOCUTS_EDGE_JOINED);
+        mesh.edges = joined;
+        QVERIFY(autocuts::unwrap(mesh, draft()).outcome().unmet_joins > 0);
+    }
+
+    void otherJobs()
+    {
+        const Cube cube;
+        autocuts::Mesh mesh = cube.view();
+        const autocuts::Map made = autocuts::unwrap(mesh, draft());
+        const std::vector<double> uvs(made.uvs().begin(), made.uvs().end());
+        mesh.uvs = uvs;
+        for (const auto job : {autocuts::finish, autocuts::align, autocuts::lightmap}) {
+            const autocuts::Figures figures = job(mesh, draft(), {}).measure();
+            QCOMPARE(figures.flipped_triangles + figures.overlapping_pairs, std::int64_t(0));
+        }
+        autocuts::Transferred figures{};
+        const autocuts::Map same = autocuts::transfer(mesh, cube.view(), AUTOCUTS_MATCH_AUTO, {}, &figures);
+        QVERIFY(std::ranges::equal(same.uvs(), uvs));
+        QCOMPARE(figures.copied, std::int64_t(6));
+        const std::vector<std::uint8_t> picture = made.draw(64, 32);
+        QCOMPARE(picture.size(), std::size_t(4 * 64 * 32));
+        QVERIFY(std::ranges::count(picture, 255) > 64); // opaque texels
+    }
+
+    void bakes()
+    {
+        Cube cube;
+        const autocuts::Map made = autocuts::unwrap(cube.view(), draft());
+        const std::vector<double> uvs(made.uvs().begin(), made.uvs().end());
+        autocuts::Mesh mesh = cube.view();
+        mesh.uvs = uvs;
+        Cube grown;
+        for (double &x : grown.positions)
+            x = 1.02 * x - 0.01;
+        const autocuts::Mesh high = grown.view();
+        autocuts::BakeOptions options;
+        options.width = options.height = 64;
+        options.floats = 1;
+        const std::vector<int> maps{AUTOCUTS_BAKE_OBJECT_NORMAL, AUTOCUTS_BAKE_HEIGHT};
+        const autocuts::Bake baked = autocuts::bake(mesh, &high, maps, options);
+        QVERIFY(baked.figures.texels > 500 && baked.figures.missed == 0);
+        QCOMPARE(baked.pictures[0].size(), std::size_t(64 * 64 * 3));
+        // Along rays that leave the corners of the cube diagonally.
+        QVERIFY(std::abs(std::ranges::max(baked.pictures[1]) - 0.01 * std::sqrt(3)) < 1e-4);
+                1e-3); // the height in the middle of faces
+        int calls = 0;
+        QVERIFY_THROWS_EXCEPTION(
+            autocuts::Error, autocuts::bake(mesh, &high, maps, options, [&](double) { return ++calls < 0; }));
+    }
+
+    //! A live solve gives ever better maps, follows its steering, and ends when it is told to.
+    void solvesLive()
+    {
+        const Cube cube;
+        autocuts::LiveSolve live(cube.view(), draft());
+        const std::optional<autocuts::Map> first = live.wait(60);
+        QVERIFY(first && first->measure().flipped_triangles == 0);
+        const std::vector<autocuts::Pin> pins{{5, 3, 4, 0}};
+        autocuts::Mesh mesh = cube.view();
+        mesh.pins = pins;
+        live.steer(mesh, draft());
+        const std::optional<autocuts::Map> pinned = live.wait(60);
+        QVERIFY(pinned && std::abs(pinned->uvs()[10] - 3) < 1e-9 && std::abs(pinned->uvs()[11] - 4) < 1e-9);
+        while (live.wait(60)) {
+        }
+        QVERIFY(live.rests());
+        Cube other;
+        other.indices[0] = 4;
+        QVERIFY_THROWS_EXCEPTION(autocuts::Error, live.steer(other.view(), draft()));
     }
 
     void badInput_data()

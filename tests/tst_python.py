@@ -225,7 +225,7 @@ class Steering(unittest.TestCase):
             pass
         self.assertTrue(live.rests)
         with self.assertRaisesRegex(ValueError, "other faces"):
-            live.steer(positions=CUBE, faces=QUADS)
+            live.steer(positions=CUBE, faces=QUADS, edges=None)
 
 
 class Pictures(unittest.TestCase):

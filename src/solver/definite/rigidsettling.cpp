@@ -76,6 +76,8 @@ private:
     {
         search::CutState state = search::CutState::from(mGraph, map, true);
         search::SeamSearch search(state, mOptions.seed, {mMu, !mOptions.allowOverlaps, mOptions.job.quiet()});
+        if (!mGraph->anchors.empty())
+            search.anchor(); // regions give way to hard pins
         search.relaxAll(settlingSteps);
         if (absorbing) {
             search.absorbSmallCharts();

@@ -8,7 +8,7 @@ namespace autocuts::definite {
 //! Energy that one unit of seam cost is usually worth near a bound of 4.1, see SeamRun.
 inline constexpr double usualMu = 0.15;
 
-//! The map with rigid regions that give way to nothing. Regions that the seams of the map do not let lie flat
+//! The map with rigid regions that give way to nothing but hard pins. Regions that the seams of the map do not let lie flat
 //! are cut out and joined to the rest along hinges, see rigid::Nets::cutOut(); where the rest then has more
 //! stretch than the bound allows, the search opens seams there.
 //! Maps with pins are only relaxed, and no joined edge is cut.
