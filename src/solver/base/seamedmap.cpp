@@ -1,5 +1,6 @@
 #include "solver/base/seamedmap.h"
 
+#include "model/plain/unionfind.h"
 #include "model/plain/uvseams.h"
 #include "solver/base/cornerat.h"
 
@@ -128,11 +129,20 @@ UvMatrix cornerUv(const Soup &soup, const SeamedMap &map)
 
 ChartMap chartsOf(const MeshData &mesh, const CutMesh &state)
 {
+    // The triangles of a polygon that meets itself may lie in several charts: as an island, these are one.
+    std::vector<int> first(static_cast<std::size_t>(mesh.faceCount()), -1);
+    UnionFind islands(state.chartCount);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        int &chart = first[mesh.triangleFace[t]];
+        if (chart < 0)
+            chart = state.chart[t];
+        islands.unite(chart, state.chart[t]);
+    }
+    const auto [label, count] = islands.labels();
     ChartMap charts;
-    charts.count = state.chartCount;
-    charts.faceChart.assign(mesh.faceCount(), -1);
-    for (int t = 0; t < mesh.triangleCount(); ++t)
-        charts.faceChart[mesh.triangleFace[t]] = state.chart[t];
+    charts.count = count;
+    for (const int chart : first)
+        charts.faceChart.push_back(chart < 0 ? -1 : label[chart]);
     return charts;
 }
 
