@@ -8,6 +8,7 @@ import sys
 import tempfile
 import threading
 import unittest
+import zipfile
 
 import numpy as np
 
@@ -301,6 +302,56 @@ class Files(unittest.TestCase):
 
         made = autocuts.unwrap_trimesh(trimesh.creation.box(), quality="draft")
         self.assertEqual((len(made.faces), made.visual.uv.shape[1]), (12, 2))
+
+
+class Examples(unittest.TestCase):
+    """The examples of the documentation, run as users run them, with an installed package."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        source = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+        cls.examples = os.path.join(source, "examples")
+        sys.path.insert(0, os.path.join(source, "python", "build_backend"))
+        import autocuts_build
+
+        wheel = autocuts_build.build_wheel(cls.folder.name, {"build-dir": os.environ["AUTOCUTS_BUILD"]})
+        cls.site = os.path.join(cls.folder.name, "site")
+        with zipfile.ZipFile(os.path.join(cls.folder.name, wheel)) as packed:
+            packed.extractall(cls.site)
+        cls.models = os.path.join(cls.folder.name, "models")
+        os.mkdir(cls.models)
+        autocuts.Mesh(CUBE, QUADS).save(os.path.join(cls.models, "cube.obj"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def run_example(self, name, *arguments):
+        ran = subprocess.run(
+            [sys.executable, os.path.join(self.examples, name), *arguments],
+            capture_output=True, text=True, check=False, env={**os.environ, "PYTHONPATH": self.site},
+        )
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        return ran.stdout
+
+    def test_unwrap_folder(self):
+        target = os.path.join(self.folder.name, "mapped")
+        self.assertIn("cube.obj: islands 1, distortion 4.000", self.run_example("unwrap_folder.py", self.models, target, "draft"))
+        self.assertIsNotNone(autocuts.Mesh.load(os.path.join(target, "cube.obj")).uvs)
+
+    def test_repack_margins(self):
+        self.assertEqual(self.run_example("repack_margins.py", os.path.join(self.models, "cube.obj")).count("% used"), 4)
+
+    def test_live_pin(self):
+        frames = os.path.join(self.folder.name, "frames")
+        self.assertIn("3 pictures", self.run_example("live_pin.py", os.path.join(self.models, "cube.obj"), frames, "3"))
+        self.assertEqual(len(os.listdir(frames)), 3)
+
+    @unittest.skipUnless(importlib.util.find_spec("trimesh"), "trimesh is missing")
+    def test_with_trimesh(self):
+        mapped = os.path.join(self.folder.name, "mapped.obj")
+        self.assertIn("triangles 12", self.run_example("with_trimesh.py", os.path.join(self.models, "cube.obj"), mapped))
 
 
 class Xatlas(unittest.TestCase):
