@@ -270,7 +270,9 @@ class Keeping(BlenderTest):
             bpy.ops.import_scene.fbx(filepath=path)
         item = next(one for one in bpy.data.objects if one.type == "MESH")
         rig = next(one for one in bpy.data.objects if one.type == "ARMATURE")
-        rig.pose.bones["Arm"].location = (0, 0.5, 0)
+        rig.pose.bones["Arm"].rotation_mode = "XYZ"
+        rig.pose.bones["Arm"].rotation_euler = (0.7, 0, 0)
+        bpy.context.view_layer.update()
         select(item)
         before = everything_but_uvs(item)
         self.assertEqual(before["groups"], ["Bone", "Arm"])
