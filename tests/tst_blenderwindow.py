@@ -4,6 +4,7 @@ Blender runs this, with --enable-event-simulate. Where AUTOCUTS_PICTURES names a
 
 import os
 import sys
+import tempfile
 import traceback
 import unittest
 
@@ -20,6 +21,7 @@ from autocuts_uv import engine, meshdata, operators, overlay
 
 CHECK = unittest.TestCase()
 _TICK = 0.02
+_SETTLING = 10  # ticks before a screenshot
 
 
 def window():
@@ -46,12 +48,31 @@ def press(key, place=None):
         window().event_simulate(type=key, value=value, x=x, y=y)
 
 
+def screenshot(path):
+    with bpy.context.temp_override(window=window(), screen=window().screen):
+        bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
+        bpy.ops.screen.screenshot(filepath=path)
+
+
+def color_in_uv_editor(uv):
+    """What is seen at a place of the UV editor: red, green, blue from 0 to 1."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "screen.png")
+        screenshot(path)
+        image = bpy.data.images.load(path)
+        pixels = np.array(image.pixels).reshape(image.size[1], image.size[0], 4)
+        bpy.data.images.remove(image)
+    region = next(one for one in area("IMAGE_EDITOR").regions if one.type == "WINDOW")
+    x, y = region.view2d.view_to_region(*uv, clip=False)
+    return pixels[region.y + y, region.x + x, :3]
+
+
 def picture(name):
-    folder = os.environ.get("AUTOCUTS_PICTURES")
-    if folder:
-        with bpy.context.temp_override(window=window(), screen=window().screen):
-            bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
-            bpy.ops.screen.screenshot(filepath=os.path.join(folder, name + ".png"))
+    """Leaves a screenshot, once panels that open have moved to their places."""
+    if "AUTOCUTS_PICTURES" in os.environ:
+        for _ in range(_SETTLING):
+            yield lambda: True
+        screenshot(os.path.join(os.environ["AUTOCUTS_PICTURES"], name + ".png"))
 
 
 def uvs():
@@ -121,12 +142,12 @@ def unwrap_in_both_modes():
 def escape_keeps_the_best_map():
     for kind in ("MODULE", "PROGRAM"):
         PREFERENCES.engine = kind
-        add("ico_sphere", subdivisions=5)
+        add("ico_sphere", subdivisions=4)
         before = uvs()
         begin("unwrap", quality="best")
         yield lambda: operators.BackgroundMixin.current.share > 0.3
         if kind == "PROGRAM":
-            picture("run")
+            yield from picture("run")
         press("ESC")
         yield job_ended
         CHECK.assertFalse(np.array_equal(uvs(), before))
@@ -137,7 +158,7 @@ def escape_keeps_the_best_map():
 
 
 def the_button_stops_too():
-    add("ico_sphere", subdivisions=5)
+    add("ico_sphere", subdivisions=4)
     before = uvs()
     begin("unwrap", quality="best")
     yield lambda: operators.BackgroundMixin.current.share > 0.3
@@ -148,7 +169,7 @@ def the_button_stops_too():
 
 def edits_meanwhile():
     """Other edits and their undo do not disturb a run; an edit of the topology does, and the mesh keeps its UVs."""
-    add("ico_sphere", subdivisions=4)
+    add("ico_sphere", subdivisions=3)
     before = uvs()
     begin("unwrap")
     within("VIEW_3D", bpy.ops.transform.translate, value=(1, 0, 0))
@@ -157,7 +178,7 @@ def edits_meanwhile():
     yield job_ended
     CHECK.assertFalse(np.array_equal(uvs(), before))
     CHECK.assertEqual(overlaps(), 0)
-    add("ico_sphere", subdivisions=4)
+    add("ico_sphere", subdivisions=3)
     begin("unwrap")
     within("VIEW_3D", bpy.ops.mesh.subdivide)
     before = uvs()
@@ -166,7 +187,7 @@ def edits_meanwhile():
 
 
 def another_file_ends_a_run():
-    add("ico_sphere", subdivisions=5)
+    add("ico_sphere", subdivisions=4)
     begin("unwrap", quality="best")
     yield lambda: operators.BackgroundMixin.current.share > 0.1
     job = operators.BackgroundMixin.current._job
@@ -205,24 +226,34 @@ def presets_are_kept():
 
 
 def overlays():
-    """What is drawn lies on the map: the picture has its colours there."""
+    """What is drawn lies on the map and has the colours of the figures."""
     add("monkey")
     for kind in ("STRETCH", "DENSITY", "OVERLAPS"):
         bpy.context.scene.autocuts.overlay = kind
         begin("measure")
         yield job_ended
-        CHECK.assertIsNotNone(overlay._batch)
-        picture(kind.lower())
-    CHECK.assertIn("overlaps", bpy.context.scene.autocuts.figures)
+        yield from picture(kind.lower())
+    CHECK.assertIn("1 overlap", bpy.context.scene.autocuts.figures)
     begin("unwrap", quality="draft")
     yield job_ended
     bpy.context.scene.autocuts.overlay = "STRETCH"
     begin("measure")
     yield job_ended
-    picture("unwrapped")
-    CHECK.assertNotIn("overlaps", bpy.context.scene.autocuts.figures)
-    bpy.context.scene.autocuts.overlay = "NONE"
-    CHECK.assertIsNone(overlay._batch)
+    yield from picture("unwrapped")
+    CHECK.assertNotIn("overlap", bpy.context.scene.autocuts.figures)
+    # A map of two squares, one of them on top of another: the corners of the faces are far away from their middles.
+    add("cube")
+    item = bpy.context.view_layer.objects.active
+    square = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    places = [(0, 0), (0, 0), (2, 0), (2, 2), (0, 2), (4, 0)]
+    model = meshdata.model_of(bpy.context, [item], meshdata.Taking())
+    meshdata.write_uvs(model.parts, np.concatenate([square + place for place in places]) / 5)
+    for kind, low, high in (("OVERLAPS", "red", "blue"), ("STRETCH", "green", "green"), ("NONE", "", "")):
+        bpy.context.scene.autocuts.overlay = kind
+        for uv, wanted in (((0.1, 0.1), low), ((0.5, 0.1), high)):
+            color = color_in_uv_editor(uv)
+            strongest = ("red", "green", "blue")[int(np.argmax(color))] if np.ptp(color) > 0.05 else ""
+            CHECK.assertEqual(strongest, wanted, (kind, uv, color))
 
 
 def show_uv_editor():
@@ -240,9 +271,21 @@ def show_uv_editor():
     return shown
 
 
+def open_tabs():
+    """Clicks on the tab of the add-on in both sidebars, whose places are those of a new window of 1920 x 1080."""
+    for x, y in ((789, 819), (1572, 828)):
+        for kind, value in (("MOUSEMOVE", "NOTHING"), ("LEFTMOUSE", "PRESS"), ("LEFTMOUSE", "RELEASE")):
+            window().event_simulate(type=kind, value=value, x=x, y=y)
+            yield lambda: True
+    within("IMAGE_EDITOR", bpy.ops.image.view_all)
+
+
 def everything():
     """All cases one after the other; each yields what it waits for."""
     yield show_uv_editor()
+    if "AUTOCUTS_PICTURES" in os.environ:
+        yield from open_tabs()
+    wanted = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else ()
     for case in (
         unwrap_in_both_modes,
         escape_keeps_the_best_map,
@@ -253,8 +296,9 @@ def everything():
         overlays,
         another_file_ends_a_run,
     ):
-        print("case", case.__name__, flush=True)
-        yield from case()
+        if not wanted or case.__name__ in wanted:
+            print("case", case.__name__, flush=True)
+            yield from case()
 
 
 class Runner:
@@ -275,7 +319,8 @@ class Runner:
         except BaseException:
             traceback.print_exc()
             sys.stderr.flush()
-            picture("failed")
+            if "AUTOCUTS_PICTURES" in os.environ:
+                screenshot(os.path.join(os.environ["AUTOCUTS_PICTURES"], "failed.png"))
             os._exit(1)
 
 

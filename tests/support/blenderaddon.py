@@ -1,12 +1,9 @@
-"""Installs the add-on of the build into an empty folder of Blender; for tests that Blender runs."""
+"""Installs the add-on of the build; for tests that Blender runs with a folder of its own for add-ons."""
 
 import os
 import sys
-import tempfile
 
 import bpy
-
-_folder = tempfile.TemporaryDirectory(prefix="autocuts_blender_")
 
 
 def install():

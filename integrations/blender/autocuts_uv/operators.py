@@ -31,18 +31,24 @@ def available_engines(context):
     return engine.engines(chosen.engine, chosen.module_folder, chosen.program)
 
 
+def _counted(count, thing):
+    return f"{count} {thing}" + ("" if count == 1 else "s")
+
+
 def _outcome_text(outcome):
     """What came of a job, in a line."""
     figures = outcome.figures
     words = []
     if figures.get("islands") is not None:
-        words.append(f"{figures['islands']} islands")
+        words.append(_counted(figures["islands"], "island"))
     if figures.get("distortion"):
         words.append(f"distortion {figures['distortion']:.3f}")
     if figures.get("seam_norm") is not None:
         words.append(f"seams {figures['seam_norm']:.2f}")
     if figures.get("overlapping_pairs"):
-        words.append(f"{figures['overlapping_pairs']} overlaps")
+        words.append(_counted(figures["overlapping_pairs"], "overlap"))
+    if figures.get("flipped_triangles"):
+        words.append(_counted(figures["flipped_triangles"], "flipped triangle"))
     return ", ".join(words)
 
 
@@ -232,7 +238,7 @@ class AUTOCUTS_OT_separate(BackgroundMixin, MapOperator, bpy.types.Operator):
 
 
 def _selected():
-    return bpy.props.BoolProperty(name="Only selected faces", description="All other faces keep their UVs")
+    return bpy.props.BoolProperty(name="Only selected", description="All other faces keep their UVs")
 
 
 class MappedOperator(MapOperator):

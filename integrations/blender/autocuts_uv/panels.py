@@ -10,7 +10,7 @@ class AUTOCUTS_PG_settings(bpy.types.PropertyGroup):
 
     __annotations__ = {
         **options.ALL,
-        "selected": bpy.props.BoolProperty(name="Only selected faces", description="All other faces keep their UVs"),
+        "selected": bpy.props.BoolProperty(name="Only selected", description="All other faces keep their UVs"),
         "directory": bpy.props.StringProperty(
             name="Folder", subtype="DIR_PATH", default="//", description="Where baked pictures go"
         ),
