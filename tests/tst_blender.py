@@ -221,10 +221,11 @@ class Keeping(BlenderTest):
                 self.assertKept(before, item)
 
     def test_edit_mode_gives_the_map_of_object_mode(self):
-        item = add_suzanne()
+        bpy.ops.mesh.primitive_monkey_add()
         bpy.ops.autocuts.unwrap(quality="draft")
-        expected = uvs_of(item)
-        other = add_suzanne()
+        expected = uvs_of(bpy.context.object)
+        bpy.ops.mesh.primitive_monkey_add()
+        other = bpy.context.object
         in_edit_mode(bpy.ops.autocuts.unwrap, quality="draft")
         self.assertTrue(np.array_equal(uvs_of(other), expected))
 
@@ -486,10 +487,22 @@ class Operators(BlenderTest):
         bpy.ops.autocuts.unwrap(quality="draft", seams="only", seams_from={"sharp"})
         before = uvs_of(item).copy()
         select_faces(item.data, np.arange(6) < 2)
-        bpy.ops.autocuts.pack(selected=True, margin=64)
-        after = uvs_of(item)
-        self.assertTrue(np.array_equal(before[8:], after[8:]))
-        self.assertFalse(np.array_equal(before[:8], after[:8]))
+        for arguments in ({"margin": 64}, {"fill_tiles": True}):
+            bpy.ops.autocuts.pack(selected=True, **arguments)
+            after = uvs_of(item)
+            self.assertTrue(np.array_equal(before[8:], after[8:]))
+            self.assertFalse(np.array_equal(before[:8], after[:8]))
+        self.assertEqual(self.measured(item)["overlapping_pairs"], 0)
+
+    def test_the_border_of_the_selected_faces(self):
+        item = add_grid(6)
+        bpy.ops.autocuts.unwrap(quality="draft")
+        chosen = np.array([polygon.center.x > 0 for polygon in item.data.polygons])
+        select_faces(item.data, chosen)
+        with self.assertRaisesRegex(RuntimeError, "no island lies as a whole"):
+            bpy.ops.autocuts.pack(selected=True)
+        bpy.ops.autocuts.pack(selected=True, border="free")
+        self.assertEqual(seams_in_map(item).sum(), 6)
 
     def test_bake_a_detailed_model_onto_another(self):
         low = add_cube()

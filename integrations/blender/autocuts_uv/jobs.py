@@ -38,9 +38,13 @@ class Job:
     def running(self):
         return self._thread.is_alive()
 
+    def join(self):
+        """Waits for the end."""
+        self._thread.join()
+
     def wait(self):
         """Waits for the end. Returns the result or raises what the job raised."""
-        self._thread.join()
+        self.join()
         if self.error:
             raise self.error
         return self.result

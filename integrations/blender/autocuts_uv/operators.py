@@ -7,6 +7,7 @@ import bpy
 
 from . import api, baking, engine, jobs, meshdata, options, overlay
 
+_OF_PARTS = {*options.SCOPE, *options.ROOM}  # they mean nothing where all faces may change
 _TICK = 0.1  # seconds between two looks at a job
 
 
@@ -89,7 +90,8 @@ class MapOperator:
         model = meshdata.model_of(context, meshdata.objects_to_map(context), self.taking())
         if not model.scope.any():
             raise Failure("No faces are selected" if self.taking().selected_only else "All faces are hidden")
-        given = options.given(self, self.names)
+        names = [name for name in self.names if name not in _OF_PARTS or not model.scope.all()]
+        given = options.given(self, names)
         size = image_size(context) if self.use_image_size else None
         if size:
             given["texture_size"] = size
@@ -167,6 +169,11 @@ class BackgroundMixin:
         """Blender ends the operator, for instance when another file is opened."""
         self._job.stop()
         self._end(context)
+
+    def end_now(self):
+        """Ends the job without its map."""
+        self._job.stop()
+        self._job.join()
 
     def status_text(self):
         if self._job.stopping:
@@ -375,6 +382,12 @@ class AUTOCUTS_OT_stop(bpy.types.Operator):
     def execute(self, _context):
         BackgroundMixin.current.stop()
         return {"FINISHED"}
+
+
+def unregister():
+    """Ends the job that runs, also when Blender is closed."""
+    if BackgroundMixin.current is not None:
+        BackgroundMixin.current.end_now()
 
 
 CLASSES = (

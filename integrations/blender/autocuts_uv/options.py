@@ -92,6 +92,7 @@ EXPERT = {
     "energy": _choice("symmetric-dirichlet amips", "symmetric-dirichlet", "How distortion is measured", "Energy"),
     "solver": _choice("fast exact", "fast", "Conjugate gradients, or a full factorisation in every step", "Solver"),
     "seed": IntProperty(name="Seed", default=1, min=0, max=2000000000, description="Seed of everything random"),
+    "time_limit": _number(0, 0, 1e9, "Stop after so many seconds with the best map so far; 0: no limit", "Time limit"),
 }
 
 TEXTURE = {
@@ -124,6 +125,19 @@ PACKING = {
 PLACING = {
     "keep_scale": _flag("Keep the size of the islands; otherwise all get the same texel density", "Keep scale"),
     "tiles": _choice("keep one", "keep", "Islands stay in their UDIM tiles, or all go into one", "Tiles"),
+}
+
+# Of jobs on a part of the faces.
+SCOPE = {
+    "border": _choice(
+        "attached free",
+        "attached",
+        "Where the border of the chosen faces runs through an island, the map stays whole, or is cut there",
+        "Border of the faces",
+    ),
+}
+ROOM = {
+    "fill_tiles": _flag("Pack the chosen faces into the free room beside the others, at their texel density", "Fill"),
 }
 
 SEPARATING = {
@@ -195,11 +209,11 @@ TAKING = {
     "texel_factor": _number(2, 0.125, 8, "Texels per length where the vertex group is 1", "Texel factor"),
 }
 
-UNWRAP = {**BOUND, **SEAMING, **SOLVING, **EXPERT, **TEXTURE, **PACKING}
-PACK = {**TEXTURE, **PACKING, **PLACING}
-SEPARATE = {**SEPARATING, **TEXTURE, **PACKING, "tiles": PLACING["tiles"]}
+UNWRAP = {**BOUND, **SEAMING, **SOLVING, **EXPERT, **TEXTURE, **PACKING, **SCOPE}
+PACK = {**TEXTURE, **PACKING, **PLACING, **SCOPE, **ROOM}
+SEPARATE = {**SEPARATING, **TEXTURE, **PACKING, **SCOPE, "tiles": PLACING["tiles"]}
 # Options that keep the seams and solve the islands anew.
-RESHAPE = {"max_distortion": BOUND["max_distortion"], **TEXTURE, **PACKING}
+RESHAPE = {"max_distortion": BOUND["max_distortion"], **TEXTURE, **PACKING, **SCOPE}
 BAKE = {**BAKING, **TEXTURE}
 ALL = {**UNWRAP, **PACK, **SEPARATE, **BAKE, **TAKING}
 

@@ -116,7 +116,7 @@ class _Packing(_Sidebar):
             self.layout.label(text=f"{size[0]} x {size[1]} texels, of the image")
         else:
             _fields(self.layout, settings, options.TEXTURE)
-        _fields(self.layout, settings, (*options.PACKING, *options.PLACING, *options.SEPARATING))
+        _fields(self.layout, settings, (*options.PACKING, *options.PLACING, *options.SEPARATING, *options.SCOPE, *options.ROOM))
 
 
 class _Taking(_Sidebar):
