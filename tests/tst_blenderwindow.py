@@ -197,6 +197,17 @@ def another_file_ends_a_run():
     yield show_uv_editor()
 
 
+def the_end_of_the_add_on_ends_a_run():
+    """Closing Blender does the same."""
+    add("ico_sphere", subdivisions=4)
+    begin("unwrap", quality="best")
+    yield lambda: operators.BackgroundMixin.current.share > 0.1
+    job = operators.BackgroundMixin.current._job
+    operators.unregister()
+    CHECK.assertFalse(job.running)
+    yield job_ended
+
+
 def adjust_last_operation():
     add("monkey")
     begin("unwrap", quality="draft")
@@ -291,6 +302,7 @@ def everything():
         escape_keeps_the_best_map,
         the_button_stops_too,
         edits_meanwhile,
+        the_end_of_the_add_on_ends_a_run,
         adjust_last_operation,
         presets_are_kept,
         overlays,
