@@ -68,10 +68,13 @@ run_tests() {
     [ -z "$failed" ] || fail "tests failed in the $preset build"
 }
 
-# say_skipped LOG: says how many cases of the last run of ctest lacked the real meshes; nothing when none did.
-# Their programs give test::noMeshes as the reason.
+# say_skipped LOG: says how many cases of the last run of ctest lacked the real meshes, and how many programs Blender;
+# nothing when none did. Programs give test::noMeshes as the reason.
 say_skipped() {
     [ -f "$1" ] || return 0
+    local programs
+    programs=$(grep -c '^SKIP   : [a-z_]* no Blender: ' "$1" || true)
+    [ "$programs" -eq 0 ] || printf 'skipped for want of Blender: %d programs\n' "$programs"
     awk '/^SKIP +: .* no meshes: / {
              ++cases
              program = $3

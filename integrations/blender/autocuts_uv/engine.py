@@ -1,0 +1,288 @@
+"""The engine behind one interface: the Python module autocuts, or the program autocuts-cli.
+
+Both give the same maps. The module knows fewer options; what it lacks goes to the program. Nothing here touches
+Blender's data, so that a job may run on a thread.
+"""
+
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from . import session
+
+try:
+    import pty
+except ImportError:  # Windows: no progress from the program
+    pty = None
+
+
+class EngineError(Exception):
+    """A job failed; the text is for the user."""
+
+
+@dataclass
+class Request:
+    """A job: a command of autocuts-cli, the Model it works on, and the options that differ from their defaults, named
+    as on the command line with _ in place of -."""
+
+    command: str
+    model: object
+    options: dict = field(default_factory=dict)
+
+
+@dataclass
+class Outcome:
+    """What came of a job."""
+
+    uvs: np.ndarray | None = None  # (C, 2); None when it was stopped before there was a map
+    figures: dict = field(default_factory=dict)  # see FIGURES
+    notes: list = field(default_factory=list)  # warnings, in words
+    stopped: bool = False
+
+
+# The figures of the module, and their names in the reports of the program.
+FIGURES = {
+    "islands": "charts",
+    "distortion": "sym_dirichlet",
+    "seam_norm": "seam_norm",
+    "packing_efficiency": "packing_efficiency",
+    "gutter_texels": "min_gutter_texels",
+    "flipped_triangles": "flipped",
+    "overlapping_pairs": "overlap_pairs",
+}
+
+_MODULE_NAMES = {"for": "surface", "tile_border": "border", "pack_time": "pack_effort"}
+_MODULE_PLAIN = {"max_distortion", "quality", "texture_size", "margin", "keep_scale", "density", "threads", "symmetry"}
+_MODULE_WORDS = {
+    "for": {"organic": "organic", "hard-surface": "hard"},
+    "rotation": {"90": "quarter", "none": "none"},
+    "align": {"on": True},
+}
+
+
+def cpu_count():
+    """Threads for a job when the user has not said how many."""
+    return os.cpu_count() or 1
+
+
+class ModuleEngine:
+    """Jobs by the Python module, which works on this process's memory."""
+
+    name = "Python module"
+    _calls = {"unwrap": "unwrap", "pack": "pack", "separate": "separate", "check": "take"}
+
+    def __init__(self, module):
+        self._module = module
+
+    def lacks(self, request):
+        """Why the module cannot do a job; empty when it can."""
+        model = request.model
+        if request.command not in self._calls:
+            return f"the command {request.command}"
+        if model.pins.any():
+            return "pins"
+        if not model.scope.all():
+            return "jobs on a part of a model"
+        if model.seam_weights is not None or model.texel_weights is not None:
+            return "weights"
+        for name, value in request.options.items():
+            if not (name in _MODULE_PLAIN or name in _MODULE_NAMES or value in _MODULE_WORDS.get(name, {})):
+                return f"{name} {value}"
+        return ""
+
+    def _options(self, given):
+        options = {"threads": cpu_count()}
+        for name, value in given.items():
+            options[_MODULE_NAMES.get(name, name)] = _MODULE_WORDS.get(name, {}).get(value, value)
+        return options
+
+    def run(self, request, watch):
+        model = request.model
+        arguments = {"face_sizes": model.face_sizes, "objects": model.face_objects, "uvs": model.uvs}
+        if request.command != "check":
+            arguments["progress"] = watch
+        if request.command == "unwrap":
+            arguments["edges"] = model.cuts.astype(np.uint8)
+        call = getattr(self._module, self._calls[request.command])
+        try:
+            made = call(model.positions, model.corners, **arguments, **self._options(request.options))
+        except KeyboardInterrupt:
+            return Outcome(stopped=True)
+        except (ValueError, RuntimeError, MemoryError) as error:
+            raise EngineError(str(error)) from error
+        return Outcome(np.array(made.uvs), made.measure(), [], made.stopped)
+
+
+def command_words(options):
+    """Options as words for autocuts-cli: {"margin": 4, "symmetry": True} becomes --margin 4 --symmetry."""
+    words = []
+    for name, value in options.items():
+        words.append("--" + name.replace("_", "-"))
+        if isinstance(value, tuple):
+            words.append("x".join(str(part) for part in value))
+        elif value is not True:
+            words.append(str(value))
+    return words
+
+
+class _Progress:
+    """Follows what autocuts-cli says on a terminal: a line that it overwrites, and messages."""
+
+    _share = re.compile(rb"(\d+) %")
+    _origin = re.compile(r"autocuts-cli: (warning: |note: )?")
+
+    def __init__(self, watch):
+        self._watch = watch
+        self.messages = []
+        self._rest = b""
+
+    def take(self, data):
+        """Takes bytes as they come. False when the job is to stop."""
+        *lines, self._rest = re.split(rb"[\r\n]+", self._rest + data)
+        goes_on = True
+        for line in lines:
+            share = self._share.search(line)
+            text = line.decode(errors="replace").strip()
+            if self._origin.match(text):
+                self.messages.append(self._origin.sub("", text))
+            elif share:
+                goes_on = self._watch(int(share[1]) / 100) is not False
+        return goes_on and self._watch(None) is not False
+
+
+class CommandEngine:
+    """Jobs by autocuts-cli, in a process of their own; models go there and back as sessions."""
+
+    name = "autocuts-cli"
+
+    def __init__(self, program):
+        self._program = program
+
+    def lacks(self, _request):
+        """The program can do every job."""
+        return ""
+
+    def call(self, words, watch, out=subprocess.DEVNULL):
+        """Runs the program. Returns its exit code and its messages. out: a file for what it prints."""
+        terminal, end = pty.openpty() if pty else (None, subprocess.PIPE)
+        progress = _Progress(watch)
+        with subprocess.Popen(
+            [self._program, *words], stdin=subprocess.DEVNULL, stdout=out, stderr=end
+        ) as process:
+            if terminal is None:
+                progress.take(process.stderr.read() + b"\n")
+            else:
+                os.close(end)
+                self._follow(process, terminal, progress)
+            code = process.wait()
+        return code, progress.messages
+
+    def _follow(self, process, terminal, progress):
+        import select
+
+        asked = False
+        with os.fdopen(terminal, "rb", buffering=0) as source:
+            while True:
+                ready = select.select([source], [], [], 0.1)[0]
+                try:
+                    data = source.read(4096) if ready else b""
+                except OSError:  # how Linux says that the other end is closed
+                    break
+                if ready and not data:
+                    break
+                if not progress.take(data) and not asked:
+                    process.send_signal(signal.SIGINT)
+                    asked = True
+        progress.take(b"\n")
+
+    def run(self, request, watch):
+        with tempfile.TemporaryDirectory(prefix="autocuts_") as folder:
+            model, made, report = (os.path.join(folder, name) for name in ("in.acproj", "out.acproj", "report.json"))
+            words = [request.command, model, *self._scope_words(request, model), *command_words(request.options)]
+            if request.command == "check":
+                with open(report, "wb") as out:
+                    code, messages = self.call([*words, "--json"], watch, out)
+            else:
+                code, messages = self.call([*words, "-o", made, "--report", report], watch)
+            messages = [message.removeprefix(f"{model}: ") for message in messages]
+            if code not in (0, 3, 130):
+                raise EngineError(messages[-1] if messages else f"autocuts-cli ended with {code}")
+            return self._outcome(request, code, messages, made, report)
+
+    @staticmethod
+    def _scope_words(request, path):
+        """Writes the session. A part of a model is told by materials: "s0" may change, "k0" stays."""
+        model = request.model
+        if model.scope.all():
+            session.write(path, model, model.materials, model.face_materials)
+            return []
+        kinds = model.face_materials + 1
+        count = int(kinds.max()) + 1
+        names = [f"k{i}" for i in range(count)] + [f"s{i}" for i in range(count)]
+        session.write(path, model, names, kinds + count * model.scope)
+        chosen = sorted({f"s{kind}" for kind in kinds[model.scope]})
+        return ["--only", "materials:" + ",".join(chosen)]
+
+    @staticmethod
+    def _outcome(request, code, messages, made, report):
+        outcome = Outcome(notes=messages, stopped=code == 130)
+        if os.path.exists(made):
+            outcome.uvs = session.read_uvs(made, request.model.corners)
+        if os.path.exists(report):
+            with open(report, encoding="utf-8") as file:
+                figures = json.load(file)
+            outcome.figures = {name: figures.get(key) for name, key in FIGURES.items()}
+        return outcome
+
+
+def pictures_of(report):
+    """Paths of the pictures in the report of a bake."""
+    with open(report, encoding="utf-8") as file:
+        return json.load(file)["files"]
+
+
+def find_module(folder):
+    """The Python module, or None. folder: where to look first; may be empty."""
+    if folder and folder not in sys.path:
+        sys.path.insert(0, folder)
+    try:
+        import autocuts
+    except ImportError:
+        return None
+    return autocuts
+
+
+def find_program(path):
+    """The path of autocuts-cli, or None. path: of the program, or empty to look in PATH."""
+    return shutil.which(path or "autocuts-cli")
+
+
+def engines(kind, module_folder, program_path):
+    """The engines that are there, the preferred one first. kind: "AUTO", "MODULE" or "PROGRAM"."""
+    found = []
+    if kind != "PROGRAM" and (module := find_module(module_folder)):
+        found.append(ModuleEngine(module))
+    if kind != "MODULE" and (program := find_program(program_path)):
+        found.append(CommandEngine(program))
+    return found
+
+
+def engine_for(request, available):
+    """The first engine that can do a job."""
+    if not available:
+        raise EngineError("Autocuts was not found: say in the preferences of this add-on where it is")
+    reasons = []
+    for candidate in available:
+        reason = candidate.lacks(request)
+        if not reason:
+            return candidate
+        reasons.append(f"the {candidate.name} does not know {reason}")
+    raise EngineError("; ".join(reasons))
