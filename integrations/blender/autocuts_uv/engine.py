@@ -59,12 +59,14 @@ FIGURES = {
     "overlapping_pairs": "overlap_pairs",
 }
 
-_MODULE_NAMES = {"for": "surface", "tile_border": "border", "pack_time": "pack_effort"}
-_MODULE_PLAIN = {"max_distortion", "quality", "texture_size", "margin", "keep_scale", "density", "threads", "symmetry"}
+_MODULE_NAMES = {"for": "surface"}
+_MODULE_PLAIN = {
+    *("quality", "max_distortion", "seams", "flat", "alike", "creases", "crease_strength", "visibility", "symmetry"),
+    *("mirror", "align", "world_up", "texture_size", "margin", "tile_border", "keep_scale", "pack_time", "density"),
+    "threads",
+}
 _MODULE_WORDS = {
-    "for": {"organic": "organic", "hard-surface": "hard"},
-    "rotation": {"90": "quarter", "none": "none"},
-    "align": {"on": True},
+    "rotation": {"none": "none", "free": "free", "15": 15, "30": 30, "45": 45, "90": 90, "180": 180},
 }
 
 
@@ -77,7 +79,7 @@ class ModuleEngine:
     """Jobs by the Python module, which works on this process's memory."""
 
     name = "Python module"
-    _calls = {"unwrap": "unwrap", "pack": "pack", "separate": "separate", "check": "take"}
+    _calls = {"unwrap": "unwrap", "finish": "finish", "pack": "pack", "separate": "separate", "check": "take"}
 
     def __init__(self, module):
         self._module = module
