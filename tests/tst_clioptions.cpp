@@ -175,7 +175,8 @@ private Q_SLOTS:
                                  "check a --json --texture-size 4096",
                                  "convert a -o b",
                                  "convert a -o b --quiet",
-                                 "sample torus -o b"})
+                                 "sample torus -o b",
+                                 "thumbnail a -o b --size 128"})
             QTest::newRow(line) << QString::fromLatin1(line);
     }
     void everyWordIsKnown()
@@ -193,6 +194,7 @@ private Q_SLOTS:
         QCOMPARE(parsed("--version").command, CliOptions::Command::Version);
         QCOMPARE(parsed("--man-page").command, CliOptions::Command::ManPage);
         QCOMPARE(parsed("--markdown").command, CliOptions::Command::Markdown);
+        QCOMPARE(parsed("--completion fish").command, CliOptions::Command::Completion);
     }
 
     void commandsThatMakeMapsCanBeStopped()
@@ -254,6 +256,7 @@ private Q_SLOTS:
                                << words(u"--texture-size --json --uv-set --only --objects --materials"_s);
         QTest::newRow("convert") << u"convert"_s
                                  << QStringList{u"-o"_s, u"--uv-set"_s, u"--force"_s, u"--make-unique"_s};
+        QTest::newRow("thumbnail") << u"thumbnail"_s << QStringList{u"-o"_s, u"--size"_s};
         for (const QString &name : {u"replay"_s, u"sample"_s})
             QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
     }
@@ -299,7 +302,7 @@ private Q_SLOTS:
             QCOMPARE(given.match, standard.match);
             ++checked;
         }
-        QCOMPARE(checked, 47);
+        QCOMPARE(checked, 48);
     }
 
     void twoDashesEndTheOptions()
@@ -415,6 +418,8 @@ private Q_SLOTS:
         row("unwrap a -o b --from c", "--from does not belong to this command");
         row("check a -o b", "-o does not belong to this command");
         row("check", "no input");
+        row("--completion", "--completion takes bash or zsh or fish");
+        row("--completion csh", "--completion takes bash or zsh or fish");
         row("sample -o b", "no sample named");
         row("sample torus", "no output");
     }

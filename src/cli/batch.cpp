@@ -2,6 +2,7 @@
 
 #include "cli/batchpictures.h"
 #include "cli/batchscope.h"
+#include "cli/clicompletion.h"
 #include "cli/clihelp.h"
 #include "cli/mapmaking.h"
 #include "cli/mapreporting.h"
@@ -10,12 +11,14 @@
 #include "commands/replay.h"
 #include "model/io/instances.h"
 #include "model/io/meshfile.h"
+#include "model/io/modelpicture.h"
 #include "model/io/projectfile.h"
 #include "model/io/savefile.h"
 #include "model/io/sessionlock.h"
 #include "model/io/setjournal.h"
 #include "model/samples/samples.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
 #include <QElapsedTimer>
@@ -91,6 +94,9 @@ private:
         case Command::Markdown:
             mOut << markdownTables() << Qt::flush;
             return 0;
+        case Command::Completion:
+            mOut << completionScript(mOptions.input) << Qt::flush;
+            return 0;
         case Command::Version:
             mOut << "autocuts-cli " << QCoreApplication::applicationVersion() << Qt::endl;
             return 0;
@@ -102,6 +108,8 @@ private:
             return runConvert();
         case Command::Replay:
             return runReplay();
+        case Command::Thumbnail:
+            return runThumbnail();
         case Command::Unwrap:
             return runMapping(&MapMaking::unwrap);
         case Command::Pack:
@@ -239,6 +247,34 @@ private:
                 return fail(written.error());
         }
         return same ? 0 : 1;
+    }
+
+    int runThumbnail()
+    {
+        if (const Result<Done> writable = checkTargets(mOptions); !writable)
+            return fail(writable.error());
+        QImage picture;
+        if (isProjectPath(mOptions.input)) {
+            const Result<ProjectSummary> summary = loadProjectSummary(mOptions.input);
+            if (!summary)
+                return fail(summary.error());
+            picture = QImage::fromData(summary->thumbnail);
+        }
+        if (picture.isNull()) {
+            const Result<Scene> scene = readInput();
+            if (!scene)
+                return fail(scene.error());
+            picture = modelPicture(*scene->mesh, mOptions.pictureSide);
+        } else {
+            picture = picture.scaled(mOptions.pictureSide, mOptions.pictureSide, Qt::KeepAspectRatio,
+                                     Qt::SmoothTransformation);
+        }
+        QByteArray png;
+        QBuffer buffer(&png);
+        buffer.open(QIODevice::WriteOnly);
+        picture.save(&buffer, "PNG");
+        const Result<Done> saved = saveAtomically(mOptions.output, png);
+        return saved ? 0 : fail(saved.error());
     }
 
     int runMapping(Result<MadeMap> (MapMaking::*make)(Scene &) const)

@@ -108,7 +108,7 @@ QString usageText()
         appendWrapped(out, command.meaning, int(start.size()) + synopsisColumns);
         start = u"       autocuts-cli "_s;
     }
-    out += start + u"--help | --version | --man-page | --markdown\n\n"_s;
+    out += start + u"--help | --version | --man-page | --markdown | --completion SHELL\n\n"_s;
     appendWrapped(out, sessions, 0);
     QString heading;
     for (const CliOption &option : cliOptions()) {
@@ -133,7 +133,8 @@ QString manualPage()
                   ".SH SYNOPSIS\n"_s;
     for (const CliCommand &command : cliCommands())
         out += bold(u"autocuts-cli"_s) + u' ' + roff(synopsis(command)) + u"\n.br\n"_s;
-    out += bold(u"autocuts-cli"_s) + u' ' + roff(u"--help | --version | --man-page | --markdown"_s) + u'\n';
+    out += bold(u"autocuts-cli"_s) + u' ' +
+           roff(u"--help | --version | --man-page | --markdown | --completion SHELL"_s) + u'\n';
     out += u".SH DESCRIPTION\n"
            "Autocuts makes UV maps: cuts and distortion are optimised together.\n"_s +
            roff(sessions) + u'\n' + roff(streams) + u"\n.SH COMMANDS\n"_s;

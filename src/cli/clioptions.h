@@ -31,8 +31,9 @@ struct CliOptions
     enum class Command {
         Help,
         Version,
-        ManPage,  //!< print the manual page to stdout
-        Markdown, //!< print the tables of the README to stdout
+        ManPage,    //!< print the manual page to stdout
+        Markdown,   //!< print the tables of the README to stdout
+        Completion, //!< print what makes a shell complete the program's options
         Unwrap,
         Pack,
         Separate,
@@ -44,7 +45,8 @@ struct CliOptions
         Replay,
         Transfer,
         Bake,
-        LightBake
+        LightBake,
+        Thumbnail
     };
 
     //! What --only names: the part of the model that the command may change. Empty: all of it.
@@ -66,7 +68,7 @@ struct CliOptions
     }
 
     Command command = Command::Help;
-    QString input;     //!< a file, or the name of a sample
+    QString input;     //!< a file, or the name of a sample or a shell
     QStringList given; //!< the names of the given options, -o for --output
     QString output;    //!< -o
     SolveSettings settings;
@@ -88,6 +90,7 @@ struct CliOptions
     bool force = false;         //!< convert: write a session although the one that is read is damaged
     bool makeUnique = false;    //!< objects that share a mesh in the file get one each
     double timeLimit = 0;       //!< seconds of wall time; 0 for none
+    int pictureSide = 256;      //!< thumbnail: pixels along each side
     bool quiet = false;
     QString from;       //!< transfer: a mesh file or session; empty: the input
     QString fromUvSet;  //!< name, or number from 1, of a UV set of it; empty: the active one

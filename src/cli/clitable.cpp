@@ -379,6 +379,8 @@ const std::vector<CliCommand> &cliCommands()
          u"measure a map and say what is wrong with it"_s},
         {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets | Sharing | Converting,
          u"write another file format; OBJ to OBJ, FBX to FBX and glTF to glTF change nothing"_s},
+        {Command::Thumbnail, u"thumbnail"_s, u"IN"_s, Output::Needed, Picturing,
+         u"draw a small PNG picture of a model; of a session, the one that it holds, as file managers show it"_s},
         {Command::Replay,
          u"replay"_s,
          u"SESSION"_s,
@@ -414,6 +416,8 @@ const std::vector<CliOption> &cliOptions()
                            "otherwise FBX, glTF and Collada files have one map for all of them"_s));
         all.push_back(flag(Group::Converting, u"--force"_s, fieldOf(&CliOptions::force), true,
                            u"make a session also of a damaged one, without what that has lost"_s));
+        all.push_back(integer(Group::Picturing, u"--size"_s, fieldOf(&CliOptions::pictureSide), 16, 4096,
+                              u"pixels along the longer side of the picture"_s));
         all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,
                            u"no progress and no figures, only warnings and errors"_s));
         return all;

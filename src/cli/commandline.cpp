@@ -1,5 +1,6 @@
 #include "cli/commandline.h"
 
+#include "cli/clicompletion.h"
 #include "cli/clitable.h"
 
 #include <QThread>
@@ -37,6 +38,14 @@ public:
                                                           {QStringLiteral("--markdown"), Command::Markdown}};
         if (const auto found = informing.find(word); found != informing.end()) {
             mOptions.command = found->second;
+            return mOptions;
+        }
+        if (word == QLatin1String("--completion")) {
+            mOptions.command = Command::Completion;
+            mOptions.input = atEnd() ? QString() : take();
+            if (!completionShells().contains(mOptions.input))
+                return usageError(QStringLiteral("--completion takes %1")
+                                      .arg(completionShells().join(QStringLiteral(" or "))));
             return mOptions;
         }
         const auto command = std::find_if(cliCommands().begin(), cliCommands().end(),
