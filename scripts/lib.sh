@@ -68,24 +68,26 @@ run_tests() {
     [ -z "$failed" ] || fail "tests failed in the $preset build"
 }
 
-# say_skipped LOG: says how many cases of the last run of ctest lacked the real meshes, and how many programs Blender;
-# nothing when none did. Programs give test::noMeshes as the reason.
+# say_skipped LOG: says how many cases of the last run of ctest lacked the real meshes, Blender, or another program that
+# is not installed; nothing when none did. They give "no meshes: ...", "no Blender: ..." or "no program: ..." as the reason.
 say_skipped() {
     [ -f "$1" ] || return 0
-    local programs
-    programs=$(grep -c '^SKIP   : [a-z_]* no Blender: ' "$1" || true)
-    [ "$programs" -eq 0 ] || printf 'skipped for want of Blender: %d programs\n' "$programs"
-    awk '/^SKIP +: .* no meshes: / {
-             ++cases
-             program = $3
-             sub(/::.*/, "", program)
-             if (!(program in seen)) {
-                 seen[program] = 1
-                 ++programs
-             }
-         }
-         END {
-             if (cases > 0)
-                 printf "skipped for want of meshes: %d cases in %d programs\n", cases, programs
-         }' "$1"
+    local want
+    for want in meshes Blender program; do
+        awk -v want="$want" '
+            $0 ~ "^SKIP +: .* no " want ": " {
+                ++cases
+                program = $3
+                sub(/::.*/, "", program)
+                if (!(program in seen)) {
+                    seen[program] = 1
+                    ++programs
+                }
+            }
+            END {
+                if (cases > 0)
+                    printf "skipped for want of %s: %d cases in %d programs\n",
+                        want == "program" ? "other programs" : want, cases, programs
+            }' "$1"
+    done
 }

@@ -21,6 +21,7 @@ int main(int argc, char *argv[])
         qputenv("QT_SCALE_FACTOR", QByteArray::number(percent / 100.0));
     QApplication application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Autocuts"));
+    QApplication::setDesktopFileName(QStringLiteral("org.autocuts.Autocuts")); // its entry in packaging/
     QApplication::setApplicationVersion(QStringLiteral(AUTOCUTS_VERSION));
 
     autocuts::installLanguage(application, autocuts::Preferences::language(preferencesFile));

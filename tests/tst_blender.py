@@ -543,8 +543,8 @@ class Operators(BlenderTest):
         with self.assertRaisesRegex(RuntimeError, "No faces are selected"):
             bpy.ops.autocuts.unwrap_selected()
         PREFERENCES.engine = "MODULE"
-        with self.assertRaisesRegex(RuntimeError, "does not know alike off"):
-            bpy.ops.autocuts.unwrap(alike="off")
+        with self.assertRaisesRegex(RuntimeError, "does not know init tutte"):
+            bpy.ops.autocuts.unwrap(init="tutte")
         PREFERENCES.engine = "PROGRAM"
         with self.assertRaisesRegex(RuntimeError, "as wide as the whole texture"):
             bpy.ops.autocuts.unwrap(quality="draft", texture_size=(16, 16), margin=64)

@@ -173,9 +173,12 @@ private Q_SLOTS:
                                  "transfer a -o b --from-object arm --objects leg --uv-set 2",
                                  "check a",
                                  "check a --json --texture-size 4096",
+                                 "check a --report b --fail-on overlaps,distortion:4.2",
                                  "convert a -o b",
                                  "convert a -o b --quiet",
-                                 "sample torus -o b"})
+                                 "sample torus -o b",
+                                 "batch unwrap a b -o c --jobs 3 --margin=4 --report d.html --format glb",
+                                 "thumbnail a -o b --size 128 --show both"})
             QTest::newRow(line) << QString::fromLatin1(line);
     }
     void everyWordIsKnown()
@@ -187,12 +190,14 @@ private Q_SLOTS:
 
     void helpAndVersion()
     {
+        QCOMPARE(parsed("unwrap --help").each, CliOptions::Command::Unwrap);
         for (const char *line :
              {"--help", "-h", "help", "unwrap --help", "pack a -h", "pack --help --margin 3"})
             QCOMPARE(parsed(line).command, CliOptions::Command::Help);
         QCOMPARE(parsed("--version").command, CliOptions::Command::Version);
         QCOMPARE(parsed("--man-page").command, CliOptions::Command::ManPage);
         QCOMPARE(parsed("--markdown").command, CliOptions::Command::Markdown);
+        QCOMPARE(parsed("--completion fish").command, CliOptions::Command::Completion);
     }
 
     void commandsThatMakeMapsCanBeStopped()
@@ -205,7 +210,7 @@ private Q_SLOTS:
                 making << command.name;
         }
         QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s, u"lightmap"_s, u"finish"_s,
-                                      u"transfer"_s, u"bake"_s, u"lightbake"_s}));
+                                      u"transfer"_s, u"bake"_s, u"lightbake"_s, u"batch"_s}));
         QVERIFY(!canBeStopped({}));
     }
 
@@ -251,9 +256,15 @@ private Q_SLOTS:
                      "--no-indirect --values --no-denoise --dilation --bits --texture-size --uv-set --report "
                      "--threads --time-limit"_s);
         QTest::newRow("check") << u"check"_s
-                               << words(u"--texture-size --json --uv-set --only --objects --materials"_s);
+                               << words(u"--texture-size --json --uv-set --only --objects --materials "
+                                        "--report --fail-on"_s);
         QTest::newRow("convert") << u"convert"_s
                                  << QStringList{u"-o"_s, u"--uv-set"_s, u"--force"_s, u"--make-unique"_s};
+        QTest::newRow("thumbnail") << u"thumbnail"_s << QStringList{u"-o"_s, u"--size"_s, u"--show"_s};
+        QTest::newRow("batch")
+            << u"batch"_s
+            << words(
+                   u"-o --report --jobs --memory --file-limit --resume --retry --format --progress --dry-run"_s);
         for (const QString &name : {u"replay"_s, u"sample"_s})
             QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
     }
@@ -280,7 +291,8 @@ private Q_SLOTS:
     {
         int checked = 0;
         for (const CliOption &option : cliOptions()) {
-            if (option.standard.isEmpty() || option.names.contains(u"--threads"_s))
+            if (option.standard.isEmpty() || option.names.contains(u"--threads"_s) ||
+                option.names.contains(u"--jobs"_s))
                 continue;
             CliOptions given;
             QVERIFY2(!option.read(given, option.standard), qPrintable(option.names.first()));
@@ -299,7 +311,28 @@ private Q_SLOTS:
             QCOMPARE(given.match, standard.match);
             ++checked;
         }
-        QCOMPARE(checked, 47);
+        QCOMPARE(checked, 50);
+    }
+
+    //! What a batch gives to the command, and what it takes itself.
+    void optionsOfBatches()
+    {
+        const CliOptions o =
+            parsed("batch unwrap a b -o c --jobs 3 --margin 4 --no-pack --format=.GLB -- -d");
+        QCOMPARE(o.command, CliOptions::Command::Batch);
+        QCOMPARE(o.each, CliOptions::Command::Unwrap);
+        QCOMPARE(o.many->inputs, (QStringList{u"a"_s, u"b"_s, u"-d"_s}));
+        QCOMPARE(o.many->passed, (QStringList{u"--margin=4"_s, u"--no-pack"_s}));
+        QCOMPARE(o.many->format, u"glb"_s);
+        QCOMPARE(o.many->jobs, 3);
+        QCOMPARE(o.output, u"c"_s);
+    }
+
+    void helpOfOneCommandHasItsOptionsOnly()
+    {
+        const QString help = usageText(CliOptions::Command::Pack);
+        QVERIFY(help.contains(u"\n  --keep-scale "_s) && help.contains(u"autocuts-cli pack IN"_s));
+        QVERIFY(!help.contains(u"--max-distortion"_s) && !help.contains(u"autocuts-cli unwrap"_s));
     }
 
     void twoDashesEndTheOptions()
@@ -415,6 +448,19 @@ private Q_SLOTS:
         row("unwrap a -o b --from c", "--from does not belong to this command");
         row("check a -o b", "-o does not belong to this command");
         row("check", "no input");
+        row("batch", "batch needs a command");
+        row("batch replay a -o b", "batch cannot do \"replay\"");
+        row("batch unwrap -o b", "no input");
+        row("batch unwrap a", "no output folder given");
+        row("batch unwrap a -o b --layout c.png", "--layout names one file");
+        row("batch unwrap a -o b --report c.txt", "--report takes a .csv, .json or .html file");
+        row("batch convert a -o b", "needs --format");
+        row("batch pack a -o b --seams keep", "--seams does not belong to this command");
+        row("check a --fail-on overlap", "--fail-on takes a list of overlaps");
+        row("unwarp a -o b", "(did you mean unwrap?)");
+        row("unwrap a -o b --qualty best", "(did you mean --quality?)");
+        row("--completion", "--completion takes bash or zsh or fish");
+        row("--completion csh", "--completion takes bash or zsh or fish");
         row("sample -o b", "no sample named");
         row("sample torus", "no output");
     }

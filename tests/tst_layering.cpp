@@ -36,7 +36,7 @@ const std::vector<Layer> layers{
      {"model/plain"}},
     {"api", {""}, {"model/plain", "model/transfer", "solver"}}, // but solver/live: see mayInclude()
     {"jobs", {""}, {"model", "solver"}},                        // but solver/live: see mayInclude()
-    {"cli", {""}, {"model", "commands", "solver", "jobs"}},
+    {"cli", {"", "manyfiles", "program"}, {"model", "commands", "solver", "jobs"}},
     // Only views/control may include solver/: see mayInclude().
     {"views",
      {"ui", "state", "gl", "control", "selecting", "canvas", "tools", "dialogs", "actions", "panels",

@@ -2,6 +2,7 @@
 
 #include "cli/batchpictures.h"
 #include "cli/batchscope.h"
+#include "cli/clicompletion.h"
 #include "cli/clihelp.h"
 #include "cli/mapmaking.h"
 #include "cli/mapreporting.h"
@@ -10,18 +11,22 @@
 #include "commands/replay.h"
 #include "model/io/instances.h"
 #include "model/io/meshfile.h"
+#include "model/io/modelpicture.h"
 #include "model/io/projectfile.h"
 #include "model/io/savefile.h"
 #include "model/io/sessionlock.h"
 #include "model/io/setjournal.h"
+#include "model/io/uvexport.h"
 #include "model/samples/samples.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QPainter>
 
 #include <algorithm>
 #include <exception>
@@ -83,13 +88,16 @@ private:
     {
         switch (mOptions.command) {
         case Command::Help:
-            mOut << usageText() << Qt::flush;
+            mOut << usageText(mOptions.each) << Qt::flush;
             return 0;
         case Command::ManPage:
             mOut << manualPage() << Qt::flush;
             return 0;
         case Command::Markdown:
             mOut << markdownTables() << Qt::flush;
+            return 0;
+        case Command::Completion:
+            mOut << completionScript(mOptions.input) << Qt::flush;
             return 0;
         case Command::Version:
             mOut << "autocuts-cli " << QCoreApplication::applicationVersion() << Qt::endl;
@@ -102,6 +110,10 @@ private:
             return runConvert();
         case Command::Replay:
             return runReplay();
+        case Command::Thumbnail:
+            return runThumbnail();
+        case Command::Batch:
+            break; // manyfiles::runBatch() does that
         case Command::Unwrap:
             return runMapping(&MapMaking::unwrap);
         case Command::Pack:
@@ -186,6 +198,8 @@ private:
 
     int runCheck()
     {
+        if (const Result<Done> writable = checkTargets(mOptions); !writable)
+            return fail(writable.error());
         const Result<Scene> scene = readInput();
         if (!scene)
             return fail(scene.error());
@@ -204,7 +218,17 @@ private:
         } else {
             printFigures(report);
         }
-        return 0;
+        if (!mOptions.report.isEmpty()) {
+            report.status = QStringLiteral("done");
+            if (const Result<Done> saved = saveAtomically(mOptions.report, reportJson(report)); !saved)
+                return fail(saved.error());
+        }
+        if (!mOptions.failOn)
+            return 0;
+        const QStringList found = failures(report, *mOptions.failOn);
+        for (const QString &text : found)
+            mErr << "autocuts-cli: " << text << Qt::endl;
+        return found.isEmpty() ? 0 : 4;
     }
 
     int runReplay()
@@ -239,6 +263,58 @@ private:
                 return fail(written.error());
         }
         return same ? 0 : 1;
+    }
+
+    //! The model, its map, or both beside each other.
+    QImage pictureOf(const Scene &scene) const
+    {
+        const int side = mOptions.pictureSide;
+        LayoutOptions layout;
+        layout.size = side;
+        QImage map;
+        if (mOptions.show != CliOptions::Show::Model && scene.hasUv()) {
+            if (const Result<QByteArray> png = layoutPng(*scene.mesh, scene.uvSets.front().uv, layout))
+                map = QImage::fromData(png.value());
+        }
+        if (mOptions.show == CliOptions::Show::Map && !map.isNull())
+            return map;
+        const QImage model = modelPicture(*scene.mesh, side);
+        if (mOptions.show != CliOptions::Show::Both)
+            return model;
+        QImage both(2 * side, side, QImage::Format_ARGB32_Premultiplied);
+        both.fill(Qt::transparent);
+        QPainter painter(&both);
+        painter.drawImage(0, 0, model);
+        painter.drawImage(side, 0, map);
+        return both;
+    }
+
+    int runThumbnail()
+    {
+        if (const Result<Done> writable = checkTargets(mOptions); !writable)
+            return fail(writable.error());
+        QImage picture;
+        if (isProjectPath(mOptions.input) && mOptions.show == CliOptions::Show::Model) {
+            const Result<ProjectSummary> summary = loadProjectSummary(mOptions.input);
+            if (!summary)
+                return fail(summary.error());
+            picture = QImage::fromData(summary->thumbnail);
+        }
+        if (picture.isNull()) {
+            const Result<Scene> scene = readInput();
+            if (!scene)
+                return fail(scene.error());
+            picture = pictureOf(scene.value());
+        } else {
+            picture = picture.scaled(mOptions.pictureSide, mOptions.pictureSide, Qt::KeepAspectRatio,
+                                     Qt::SmoothTransformation);
+        }
+        QByteArray png;
+        QBuffer buffer(&png);
+        buffer.open(QIODevice::WriteOnly);
+        picture.save(&buffer, "PNG");
+        const Result<Done> saved = saveAtomically(mOptions.output, png);
+        return saved ? 0 : fail(saved.error());
     }
 
     int runMapping(Result<MadeMap> (MapMaking::*make)(Scene &) const)

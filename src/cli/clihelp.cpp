@@ -97,24 +97,41 @@ QString code(const QString &text)
     return u'`' + QString(text).replace(u'|', u"\\|"_s) + u'`';
 }
 
+QString usageOf(const CliCommand &command)
+{
+    QString out = u"usage: autocuts-cli "_s + synopsis(command) + u"\n\n"_s;
+    appendWrapped(out, command.meaning, 0);
+    out += u"\noptions:\n"_s;
+    for (const CliOption &option : cliOptions()) {
+        if (command.takes(option.group))
+            appendRow(out, option.names.join(u", "_s) + u' ' + option.value, withStandard(option));
+    }
+    return out + u"\nautocuts-cli --help explains all commands and the exit codes.\n"_s;
+}
+
 } // namespace
 
-QString usageText()
+QString usageText(CliOptions::Command command)
 {
+    const auto row = std::find_if(cliCommands().begin(), cliCommands().end(),
+                                  [command](const CliCommand &one) { return one.id == command; });
+    if (row != cliCommands().end())
+        return usageOf(*row);
     QString out = u"Autocuts makes UV maps: cuts and distortion optimised together.\n\n"_s;
     QString start = u"usage: autocuts-cli "_s;
-    for (const CliCommand &command : cliCommands()) {
-        out += start + synopsis(command);
-        appendWrapped(out, command.meaning, int(start.size()) + synopsisColumns);
+    for (const CliCommand &each : cliCommands()) {
+        out += start + synopsis(each);
+        appendWrapped(out, each.meaning, int(start.size()) + synopsisColumns);
         start = u"       autocuts-cli "_s;
     }
-    out += start + u"--help | --version | --man-page | --markdown\n\n"_s;
+    out += start + u"--help | --version | --man-page | --markdown | --completion SHELL\n\n"_s;
     appendWrapped(out, sessions, 0);
     QString heading;
     for (const CliOption &option : cliOptions()) {
         if (commandsOf(option) != heading) {
             heading = commandsOf(option);
-            out += u'\n' + heading + u":\n"_s;
+            out += u'\n';
+            appendWrapped(out, heading + u':', 0);
         }
         appendRow(out, option.names.join(u", "_s) + u' ' + option.value, withStandard(option));
     }
@@ -133,7 +150,8 @@ QString manualPage()
                   ".SH SYNOPSIS\n"_s;
     for (const CliCommand &command : cliCommands())
         out += bold(u"autocuts-cli"_s) + u' ' + roff(synopsis(command)) + u"\n.br\n"_s;
-    out += bold(u"autocuts-cli"_s) + u' ' + roff(u"--help | --version | --man-page | --markdown"_s) + u'\n';
+    out += bold(u"autocuts-cli"_s) + u' ' +
+           roff(u"--help | --version | --man-page | --markdown | --completion SHELL"_s) + u'\n';
     out += u".SH DESCRIPTION\n"
            "Autocuts makes UV maps: cuts and distortion are optimised together.\n"_s +
            roff(sessions) + u'\n' + roff(streams) + u"\n.SH COMMANDS\n"_s;

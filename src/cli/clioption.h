@@ -34,6 +34,9 @@ enum class OptionGroup {
     Converting = 1048576,   //!< what is written although something is lost
     KeepingTiles = 2097152, //!< whether the islands of several tiles stay in them
     Sharing = 4194304,      //!< whether objects share meshes in the written file
+    Picturing = 8388608,    //!< how large a picture is
+    Batching = 16777216,    //!< how many files are worked on
+    Reporting = 33554432,   //!< the figures as a file
     Everything = 128        //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

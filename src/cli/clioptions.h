@@ -1,6 +1,7 @@
 // The options of the command line program.
 #pragma once
 
+#include "cli/manychoice.h"
 #include "jobs/bakechoice.h"
 #include "jobs/lightchoice.h"
 #include "model/document/scenegroups.h"
@@ -31,8 +32,9 @@ struct CliOptions
     enum class Command {
         Help,
         Version,
-        ManPage,  //!< print the manual page to stdout
-        Markdown, //!< print the tables of the README to stdout
+        ManPage,    //!< print the manual page to stdout
+        Markdown,   //!< print the tables of the README to stdout
+        Completion, //!< print what makes a shell complete the program's options
         Unwrap,
         Pack,
         Separate,
@@ -44,7 +46,9 @@ struct CliOptions
         Replay,
         Transfer,
         Bake,
-        LightBake
+        LightBake,
+        Thumbnail,
+        Batch
     };
 
     //! What --only names: the part of the model that the command may change. Empty: all of it.
@@ -65,10 +69,24 @@ struct CliOptions
         unwrap.packing.upper = tile.upper;
     }
 
+    //! What makes check fail.
+    struct FailOn
+    {
+        bool overlaps = false, flips = false, missing = false, tiles = false;
+        std::optional<double> distortion; //!< above this
+        std::optional<double> gutter;     //!< texels, below this
+    };
+
+    //! What a thumbnail shows.
+    enum class Show { Model, Map, Both };
+
     Command command = Command::Help;
-    QString input;     //!< a file, or the name of a sample
-    QStringList given; //!< the names of the given options, -o for --output
-    QString output;    //!< -o
+    //! Of a batch, what is done with each file; of a help that is asked for behind a command, that command.
+    Command each = Command::Help;
+    std::optional<ManyChoice> many; //!< of a batch
+    QString input;                  //!< a file, or the name of a sample or a shell
+    QStringList given;              //!< the names of the given options, -o for --output
+    QString output;                 //!< -o
     SolveSettings settings;
     unwrap::UnwrapOptions unwrap; //!< its packing target is that of --tile or --into
     Only only;
@@ -88,6 +106,9 @@ struct CliOptions
     bool force = false;         //!< convert: write a session although the one that is read is damaged
     bool makeUnique = false;    //!< objects that share a mesh in the file get one each
     double timeLimit = 0;       //!< seconds of wall time; 0 for none
+    std::optional<FailOn> failOn;
+    Show show = Show::Model;
+    int pictureSide = 256; //!< thumbnail: pixels along each side
     bool quiet = false;
     QString from;       //!< transfer: a mesh file or session; empty: the input
     QString fromUvSet;  //!< name, or number from 1, of a UV set of it; empty: the active one

@@ -6,6 +6,7 @@
 #include "cli/optionmakers.h"
 
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -321,7 +322,7 @@ std::vector<CliOption> makingOptions()
          "part"_s,
          {},
          readLayout},
-        text(Group::Limiting, {u"--report"_s}, fieldOf(&CliOptions::report),
+        text(Group::Reporting, {u"--report"_s}, fieldOf(&CliOptions::report),
              u"write the figures of the result as JSON, also those of each object and material"_s),
         defaultingTo(integer(Group::Limiting, u"--threads"_s, fieldOf(&CliOptions::threads), 1, 1024,
                              u"threads to use; the result does not depend on it"_s),
@@ -330,6 +331,79 @@ std::vector<CliOption> makingOptions()
                u"stop then and write the best map so far"_s),
         integer(group, u"--seed"_s, fieldOf(&SolveSettings::seed), 0, 2'000'000'000,
                 u"seed of everything random: the same command gives the same bytes"_s),
+    };
+}
+
+//! Sets a field of the options of a batch.
+template <class T>
+Field<T> fieldOf(T ManyChoice::*member)
+{
+    return [member](CliOptions &options) -> T & {
+        if (!options.many)
+            options.many.emplace();
+        return *options.many.*member;
+    };
+}
+
+std::vector<CliOption> batchOptions()
+{
+    constexpr Group group = Group::Batching;
+    return {
+        {group,
+         {u"--report"_s},
+         u"FILE"_s,
+         u"write what came of all files: .csv, .json, or .html, a page with pictures and figures that sort "
+         u"and "
+         "filter, and with the difference to the run before"_s,
+         {},
+         [](CliOptions &options, const QString &value) -> Problem {
+             static const QStringList known{u"csv"_s, u"json"_s, u"html"_s};
+             if (!known.contains(QFileInfo(value).suffix()))
+                 return u"a .csv, .json or .html file"_s;
+             options.many->report = value;
+             return std::nullopt;
+         }},
+        defaultingTo(integer(group, u"--jobs"_s, fieldOf(&ManyChoice::jobs), 1, 256,
+                             u"files to work on at once; the threads are shared among them"_s),
+                     u"one for each core"_s),
+        number(group, u"--memory"_s, u"GIGABYTES"_s, fieldOf(&ManyChoice::memory), 0.1, 1e6,
+               u"memory for all of them together: large files wait until they fit, one that never does is "
+               u"worked on "
+               "alone; 100 MB and 150 times the size of a file are expected. Three quarters of what is free "
+               "when not given"_s),
+        number(group, u"--file-limit"_s, u"SECONDS"_s, fieldOf(&ManyChoice::fileLimit), 0.001, 1e9,
+               u"give a file up after this time; --time-limit takes the best map so far"_s),
+        flag(group, u"--resume"_s, fieldOf(&ManyChoice::resume), true,
+             u"go on with a batch that was ended: what its journal in the folder knows, and has not changed, "
+             u"is "
+             "not done again"_s),
+        {group,
+         {u"--retry"_s},
+         {},
+         u"the same, but do again what failed"_s,
+         {},
+         [](CliOptions &options, const QString &) -> Problem {
+             options.many->resume = options.many->retry = true;
+             return std::nullopt;
+         }},
+        {group,
+         {u"--format"_s},
+         u"SUFFIX"_s,
+         u"format of the outputs, for example glb; that of each input when not given"_s,
+         {},
+         [](CliOptions &options, const QString &value) -> Problem {
+             static const QRegularExpression suffix(u"^\\.?([a-z0-9]+)$"_s);
+             const auto match = suffix.match(value.toLower());
+             if (!match.hasMatch())
+                 return u"a suffix such as glb"_s;
+             options.many->format = match.captured(1);
+             return std::nullopt;
+         }},
+        choice(group, u"--progress"_s, fieldOf(&ManyChoice::jsonProgress),
+               {{u"text"_s, false}, {u"json"_s, true}},
+               u"how progress is said: for people, or a line of JSON for each file"_s),
+        flag(group, u"--dry-run"_s, fieldOf(&ManyChoice::dryRun), true,
+             u"only say which file would be written of which"_s),
     };
 }
 
@@ -346,39 +420,48 @@ const std::vector<CliCommand> &cliCommands()
     static const std::vector<CliCommand> commands{
         {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed,
          Bound | Seaming | Solving | Texture | Packing | Scope | Bordering | Tiling | UvSets | NewUvSets |
-             Sharing | Making | Limiting,
+             Sharing | Making | Limiting | Reporting,
          u"make a UV map"_s},
         {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed,
          Texture | Packing | Placing | Scope | Bordering | Tiling | KeepingTiles | UvSets | NewUvSets |
-             Sharing | Making | Limiting,
+             Sharing | Making | Limiting | Reporting,
          u"arrange the islands of an existing map anew"_s},
         {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed,
          Texture | Packing | Separating | Scope | Bordering | Tiling | KeepingTiles | UvSets | NewUvSets |
-             Sharing | Making | Limiting,
+             Sharing | Making | Limiting | Reporting,
          u"cut islands that overlap themselves, then pack"_s},
         {Command::Lightmap, u"lightmap"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | KeepingTiles | UvSets | NewUvSets | Sharing | Making | Limiting,
+         Texture | Packing | KeepingTiles | UvSets | NewUvSets | Sharing | Making | Limiting | Reporting,
          u"add a UV set for lightmaps, called Lightmap: the islands of the map without overlaps, stacks "
          u"taken "
          "apart, at one texel density"_s},
         {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed,
          Bound | Seaming | Texture | Packing | Scope | Bordering | Tiling | KeepingTiles | UvSets |
-             NewUvSets | Sharing | Making | Limiting,
+             NewUvSets | Sharing | Making | Limiting | Reporting,
          u"make a half-solved map usable: seams decided, no overlaps, within the bound"_s},
         {Command::Transfer, u"transfer"_s, u"IN"_s, Output::Needed,
-         Transferring | Texture | Scope | Bordering | UvSets | NewUvSets | Sharing | Making | Limiting,
+         Transferring | Texture | Scope | Bordering | UvSets | NewUvSets | Sharing | Making | Limiting |
+             Reporting,
          u"give the model the UVs of another file, UV set or object, also of another resolution"_s},
-        {Command::Bake, u"bake"_s, u"IN"_s, Output::Needed, Baking | Texture | UvSets | Limiting,
+        {Command::Bake, u"bake"_s, u"IN"_s, Output::Needed, Baking | Texture | UvSets | Limiting | Reporting,
          u"bake normals, occlusion and more into pictures for the UV map; -o is their folder"_s},
-        {Command::LightBake, u"lightbake"_s, u"IN"_s, Output::Needed, Lighting | Texture | UvSets | Limiting,
+        {Command::LightBake, u"lightbake"_s, u"IN"_s, Output::Needed,
+         Lighting | Texture | UvSets | Limiting | Reporting,
          u"bake the light of suns, skies, area lights and emissive materials into a picture (exr, png, tif "
          u"or "
          u"tga) "
          "for the UV map"_s},
-        {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Scope | UvSets | Measuring,
+        {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Scope | UvSets | Measuring | Reporting,
          u"measure a map and say what is wrong with it"_s},
         {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets | Sharing | Converting,
          u"write another file format; OBJ to OBJ, FBX to FBX and glTF to glTF change nothing"_s},
+        {Command::Thumbnail, u"thumbnail"_s, u"IN"_s, Output::Needed, Picturing,
+         u"draw a small PNG picture of a model; of a session, the one that it holds, as file managers show it"_s},
+        {Command::Batch, u"batch"_s, u"COMMAND IN..."_s, Output::Needed, Batching,
+         u"do one of the commands above with many files, each in a process of its own: files, folders with "
+         u"all "
+         "that is below them, patterns such as models/**/*.fbx; -o is the folder for the outputs, which keep "
+         "the places and names of the inputs; the command's options follow"_s},
         {Command::Replay,
          u"replay"_s,
          u"SESSION"_s,
@@ -400,6 +483,8 @@ const std::vector<CliOption> &cliOptions()
     static const std::vector<CliOption> options = [] {
         std::vector<CliOption> all{
             text(Group::Output, {u"-o"_s, u"--output"_s}, fieldOf(&CliOptions::output), u"file to write"_s)};
+        for (const CliOption &option : batchOptions()) // before the command's, which may have the same name
+            all.push_back(option);
         for (const auto &some :
              {boundOptions(), seamingOptions(), solvingOptions(), packingOptions(), scopeOptions(),
               tilingOptions(), uvSetOptions(), makingOptions(), placingOptions()})
@@ -414,6 +499,22 @@ const std::vector<CliOption> &cliOptions()
                            "otherwise FBX, glTF and Collada files have one map for all of them"_s));
         all.push_back(flag(Group::Converting, u"--force"_s, fieldOf(&CliOptions::force), true,
                            u"make a session also of a damaged one, without what that has lost"_s));
+        all.push_back(
+            {Group::Measuring,
+             {u"--fail-on"_s},
+             u"LIST"_s,
+             u"end with exit code 4 when the map has one of these, with commas: overlaps, flips, "
+             "missing (faces without UVs), tiles (islands over the border of their tile), distortion:X "
+             "(above X), gutter:X (islands closer than X texels)"_s,
+             {},
+             readFailOn});
+        all.push_back(choice(Group::Picturing, u"--show"_s, fieldOf(&CliOptions::show),
+                             {{u"model"_s, CliOptions::Show::Model},
+                              {u"map"_s, CliOptions::Show::Map},
+                              {u"both"_s, CliOptions::Show::Both}},
+                             u"what the picture shows; both: the map beside the model"_s));
+        all.push_back(integer(Group::Picturing, u"--size"_s, fieldOf(&CliOptions::pictureSide), 16, 4096,
+                              u"pixels along the longer side of the picture"_s));
         all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,
                            u"no progress and no figures, only warnings and errors"_s));
         return all;
@@ -431,6 +532,7 @@ const std::vector<CliExitCode> &cliExitCodes()
         {2, u"wrong usage"_s},
         {3, u"the distortion is above --max-distortion (status bound_missed in the report); the map has been "
             "written"_s},
+        {4, u"check found what --fail-on names"_s},
         {130,
          u"interrupted by Ctrl-C; the best valid map so far has been written, if the model had been read"_s},
     };

@@ -114,6 +114,30 @@ std::optional<QString> readPer(CliOptions &options, const QString &value)
     return std::nullopt;
 }
 
+std::optional<QString> readFailOn(CliOptions &options, const QString &value)
+{
+    CliOptions::FailOn failOn;
+    const std::map<QString, bool *> flags{{u"overlaps"_s, &failOn.overlaps},
+                                          {u"flips"_s, &failOn.flips},
+                                          {u"missing"_s, &failOn.missing},
+                                          {u"tiles"_s, &failOn.tiles}};
+    const std::map<QString, std::optional<double> *> limits{{u"distortion"_s, &failOn.distortion},
+                                                            {u"gutter"_s, &failOn.gutter}};
+    for (const QString &word : value.split(u',')) {
+        const auto flag = flags.find(word);
+        const auto limit = limits.find(word.section(u':', 0, 0));
+        bool ok = flag != flags.end();
+        if (ok)
+            *flag->second = true;
+        else if (limit != limits.end())
+            *limit->second = word.section(u':', 1).toDouble(&ok);
+        if (!ok)
+            return u"a list of overlaps, flips, missing, tiles, distortion:X and gutter:X"_s;
+    }
+    options.failOn = failOn;
+    return std::nullopt;
+}
+
 std::optional<QString> readOnly(CliOptions &options, const QString &value)
 {
     static const QString expected = u"islands:N,.. or objects:NAME,.. or materials:NAME,.."_s;

@@ -24,5 +24,7 @@ std::optional<QString> readMaterials(CliOptions &options, const QString &value);
 std::optional<QString> readPer(CliOptions &options, const QString &value);
 //! --only: islands, objects or materials, added to those of earlier options.
 std::optional<QString> readOnly(CliOptions &options, const QString &value);
+//! --fail-on: what makes check fail.
+std::optional<QString> readFailOn(CliOptions &options, const QString &value);
 
 } // namespace autocuts

@@ -1,6 +1,8 @@
 #include "cli/commandline.h"
 
+#include "cli/clicompletion.h"
 #include "cli/clitable.h"
+#include "cli/nearestname.h"
 
 #include <QThread>
 
@@ -39,11 +41,33 @@ public:
             mOptions.command = found->second;
             return mOptions;
         }
-        const auto command = std::find_if(cliCommands().begin(), cliCommands().end(),
-                                          [&](const CliCommand &row) { return row.name == word; });
+        if (word == QLatin1String("--completion")) {
+            mOptions.command = Command::Completion;
+            mOptions.input = atEnd() ? QString() : take();
+            if (!completionShells().contains(mOptions.input))
+                return usageError(QStringLiteral("--completion takes %1")
+                                      .arg(completionShells().join(QStringLiteral(" or "))));
+            return mOptions;
+        }
+        auto command = commandNamed(word);
         if (command == cliCommands().end())
-            return usageError(QStringLiteral("unknown command \"%1\"").arg(word));
-        mOptions.command = command->id;
+            return unknownCommand(word);
+        if (command->id == Command::Batch) {
+            if (atEnd())
+                return usageError(QStringLiteral("batch needs a command for its files"));
+            const QString each = take();
+            if (each == QLatin1String("--help") || each == QLatin1String("-h")) {
+                mOptions.each = Command::Batch;
+                return mOptions;
+            }
+            command = commandNamed(each);
+            if (command == cliCommands().end())
+                return unknownCommand(each);
+            if (command->operand != QLatin1String("IN"))
+                return usageError(QStringLiteral("batch cannot do \"%1\"").arg(each));
+            mOptions.many.emplace().command = each;
+        }
+        mOptions.command = mOptions.each = command->id;
         mOptions.threads = std::max(1, QThread::idealThreadCount());
         while (!atEnd()) {
             const QString argument = take();
@@ -56,11 +80,33 @@ public:
             return mOptions;
         if (const Problem problem = finish(*command))
             return *problem;
+        if (mOptions.many)
+            mOptions.command = Command::Batch;
         return mOptions;
     }
 
 private:
     using Problem = std::optional<Error>;
+
+    static std::vector<CliCommand>::const_iterator commandNamed(const QString &name)
+    {
+        return std::find_if(cliCommands().begin(), cliCommands().end(),
+                            [&](const CliCommand &row) { return row.name == name; });
+    }
+
+    static Error unknownCommand(const QString &word)
+    {
+        QStringList names;
+        for (const CliCommand &row : cliCommands())
+            names << row.name;
+        return usageError(QStringLiteral("unknown command \"%1\"").arg(word) + didYouMean(word, names));
+    }
+
+    bool takes(const CliCommand &command, const CliOption &option) const
+    {
+        return command.takes(option.group) || (mOptions.many && (option.group == OptionGroup::Batching ||
+                                                                 option.group == OptionGroup::Output));
+    }
 
     bool atEnd() const { return mNext >= mArguments.size(); }
     QString take() { return mArguments[mNext++]; }
@@ -68,10 +114,13 @@ private:
     Problem readArgument(const CliCommand &command, const QString &argument)
     {
         if (mOptionsEnded || !argument.startsWith(QLatin1Char('-')) || argument == QLatin1String("-")) {
-            if (!mOptions.input.isEmpty())
+            if (mOptions.many)
+                mOptions.many->inputs << argument;
+            else if (!mOptions.input.isEmpty())
                 return usageError(QStringLiteral("one input only, but \"%1\" follows \"%2\"")
                                       .arg(argument, mOptions.input));
-            mOptions.input = argument;
+            if (mOptions.input.isEmpty())
+                mOptions.input = argument;
             return std::nullopt;
         }
         if (argument == QLatin1String("--help") || argument == QLatin1String("-h")) {
@@ -90,13 +139,15 @@ private:
         const auto isNamed = [&](const CliOption &row) { return row.names.contains(name); };
         // Options of several groups may share a name.
         const auto option = std::find_if(cliOptions().begin(), cliOptions().end(), [&](const CliOption &row) {
-            return isNamed(row) && command.takes(row.group);
+            return isNamed(row) && takes(command, row);
         });
         if (option == cliOptions().end()) {
-            const bool isKnown = std::any_of(cliOptions().begin(), cliOptions().end(), isNamed);
-            return usageError((isKnown ? QStringLiteral("%1 does not belong to this command")
-                                       : QStringLiteral("unknown option %1"))
-                                  .arg(name));
+            if (std::any_of(cliOptions().begin(), cliOptions().end(), isNamed))
+                return usageError(QStringLiteral("%1 does not belong to this command").arg(name));
+            QStringList names;
+            for (const CliOption &row : cliOptions())
+                names += takes(command, row) ? row.names : QStringList();
+            return usageError(QStringLiteral("unknown option %1").arg(name) + didYouMean(name, names));
         }
         QString value;
         if (option->value.isEmpty()) {
@@ -113,6 +164,8 @@ private:
         mOptions.given << option->names.first();
         if (const std::optional<QString> expected = option->read(mOptions, value))
             return usageError(QStringLiteral("%1 takes %2, not \"%3\"").arg(name, *expected, value));
+        if (mOptions.many && option->group != OptionGroup::Batching && option->group != OptionGroup::Output)
+            mOptions.many->passed << (option->value.isEmpty() ? name : name + QLatin1Char('=') + value);
         return std::nullopt;
     }
 
@@ -122,8 +175,15 @@ private:
         if (mOptions.input.isEmpty())
             return usageError(mOptions.command == Command::Sample ? QStringLiteral("no sample named")
                                                                   : QStringLiteral("no input file given"));
+        if (mOptions.many && mOptions.output.isEmpty())
+            return usageError(QStringLiteral("no output folder given (-o DIR)"));
         if (command.output == CliCommand::Output::Needed && mOptions.output.isEmpty())
             return usageError(QStringLiteral("no output file given (-o FILE)"));
+        if (mOptions.many && !mOptions.layout.isEmpty())
+            return usageError(
+                QStringLiteral("--layout names one file; the .html report of a batch has pictures"));
+        if (mOptions.many && mOptions.command == Command::Convert && mOptions.many->format.isEmpty())
+            return usageError(QStringLiteral("a batch of conversions needs --format"));
         if (mOptions.given.contains(QStringLiteral("--max-distortion")) && mOptions.unwrap.lambda)
             return usageError(QStringLiteral("--max-distortion and --lambda exclude each other"));
         if (mOptions.command == Command::Lightmap && mOptions.newUvSet.isEmpty())
@@ -172,9 +232,10 @@ private:
 
 bool canBeStopped(const CliOptions &options)
 {
-    return std::any_of(cliCommands().begin(), cliCommands().end(), [&options](const CliCommand &row) {
-        return row.id == options.command && row.takes(OptionGroup::Limiting);
-    });
+    return options.command == Command::Batch ||
+           std::any_of(cliCommands().begin(), cliCommands().end(), [&options](const CliCommand &row) {
+               return row.id == options.command && row.takes(OptionGroup::Limiting);
+           });
 }
 
 Result<CliOptions> parseCommandLine(const QStringList &arguments)

@@ -113,6 +113,30 @@ QStringList mapProblems(const MapReport &report)
     return problems;
 }
 
+QStringList failures(const MapReport &report, const CliOptions::FailOn &failOn)
+{
+    QStringList found;
+    const auto count = [&](bool asked, const MapReport::Count &value, const char *one, const char *many) {
+        if (const qint64 n = value.value_or(0); asked && n > 0)
+            found << counted(n, one, many);
+    };
+    count(failOn.overlaps, report.overlappingTriangles, "triangle overlaps", "triangles overlap");
+    count(failOn.flips, report.flipped, "triangle is flipped", "triangles are flipped");
+    count(failOn.missing, report.facesWithoutUv, "face has no UVs", "faces have no UVs");
+    if (failOn.tiles && !report.offTile.empty())
+        found << offTileText(report.offTile);
+    else if (failOn.tiles && report.inTiles == false)
+        found << QStringLiteral("the UVs do not lie in tiles");
+    // Without a map there are no such figures, and it is not what was asked for.
+    if (failOn.distortion && !(report.symDirichlet <= *failOn.distortion))
+        found << QStringLiteral("the distortion is %1, above %2")
+                     .arg(shortNumber(report.symDirichlet), shortNumber(*failOn.distortion));
+    if (failOn.gutter && report.minGutterTexels < *failOn.gutter)
+        found
+            << QStringLiteral("islands come as close as %1 texels").arg(shortNumber(report.minGutterTexels));
+    return found;
+}
+
 QStringList mapWarnings(const MapReport &report)
 {
     const qint64 n = report.facesWithoutUvArea.value_or(0);

@@ -24,6 +24,9 @@ MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags
 //! The problems of a map, one sentence each; empty when it can be used. \param report from reportOn()
 QStringList mapProblems(const MapReport &report);
 
+//! What a map has of that which makes check fail, one sentence each. \param report from reportOn()
+QStringList failures(const MapReport &report, const CliOptions::FailOn &failOn);
+
 //! What a new map could not give to the model, one sentence each. \param report from reportOn()
 QStringList mapWarnings(const MapReport &report);
 

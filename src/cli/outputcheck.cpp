@@ -25,7 +25,7 @@ bool carriesTextures(const CliOptions &options)
 bool writesModel(const CliOptions &options)
 {
     return options.command != Command::Bake && options.command != Command::LightBake &&
-           !carriesTextures(options);
+           options.command != Command::Thumbnail && !carriesTextures(options);
 }
 
 //! The files that the options name to be read, without the input.
@@ -108,6 +108,10 @@ Result<Done> checkClashes(const CliOptions &options, const DocumentState &model)
         if (Result<Done> fine = checkOutputs(written, own + inputs + filesBeside(model, true)); !fine)
             return fine;
         kept += written;
+    } else if (options.command == Command::Thumbnail) {
+        kept += options.output;
+        if (Result<Done> fine = checkOutputs({options.output}, own); !fine)
+            return fine;
     }
     return checkOutputs(withTiles(options.layout) + QStringList{options.report}, kept);
 }

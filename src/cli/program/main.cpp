@@ -1,6 +1,7 @@
 // autocuts-cli: makes UV maps in scripts.
 #include "cli/batch.h"
 #include "cli/commandline.h"
+#include "cli/manyfiles/manyfiles.h"
 #include "jobs/letgo.h"
 
 #include <QCoreApplication>
@@ -113,6 +114,7 @@ int main(int argc, char *argv[])
     // Without these signals, closed pipes and file size limits are reported as failed writes.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    const int code = autocuts::runCommand(options.value(), stopSource, isatty(STDERR_FILENO), out, err);
+    const auto run = options->many ? autocuts::manyfiles::runBatch : autocuts::runCommand;
+    const int code = run(options.value(), stopSource, isatty(STDERR_FILENO), out, err);
     return ended(code, out, err);
 }

@@ -1,0 +1,262 @@
+#include "cli/manyfiles/manyfiles.h"
+
+#include "cli/manyfiles/filerunner.h"
+#include "cli/manyfiles/runreport.h"
+#include "cli/progressline.h"
+#include "model/io/savefile.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QJsonDocument>
+#include <QLockFile>
+#include <QThread>
+
+#include <algorithm>
+#include <unistd.h>
+
+namespace autocuts::manyfiles {
+
+namespace {
+
+using namespace Qt::Literals::StringLiterals;
+
+//! What a file costs besides its bytes, for the estimate of the time.
+constexpr qint64 weightOfFile = 20'000;
+
+qint64 weightOf(const FileTask &task)
+{
+    return task.bytes + weightOfFile;
+}
+
+qint64 freeMemory()
+{
+    return qint64(sysconf(_SC_AVPHYS_PAGES)) * sysconf(_SC_PAGESIZE);
+}
+
+QString durationText(double seconds)
+{
+    if (seconds < 100)
+        return u"%1 s"_s.arg(seconds, 0, 'f', 0);
+    return seconds < 6000 ? u"%1 min"_s.arg(seconds / 60, 0, 'f', 0)
+                          : u"%1 h"_s.arg(seconds / 3600, 0, 'f', 1);
+}
+
+//! Says how far a batch is.
+class BatchProgress final
+{
+public:
+    BatchProgress(const CliOptions &options, bool onTerminal, QTextStream &err,
+                  const std::vector<FileTask> &tasks)
+        : mJson(options.many->jsonProgress), mLines(!options.quiet && !onTerminal), mErr(err),
+          mLine(onTerminal && !options.quiet && !mJson, err), mTotal(int(tasks.size()))
+    {
+        for (const FileTask &task : tasks)
+            mWeightLeft += weightOf(task);
+        mClock.start();
+        mLine.show(u"0 of %1"_s.arg(mTotal));
+    }
+
+    void add(const FileResult &result)
+    {
+        ++mDone;
+        mFailed += !result.succeeded();
+        mWeightDone += weightOf(result.task);
+        mWeightLeft -= weightOf(result.task);
+        const double left = double(mClock.elapsed()) / 1000 * double(mWeightLeft) / double(mWeightDone);
+        if (mJson) {
+            const QJsonObject event{{u"done"_s, mDone},
+                                    {u"total"_s, mTotal},
+                                    {u"failed"_s, mFailed},
+                                    {u"seconds_left"_s, left},
+                                    {u"input"_s, result.task.input},
+                                    {u"output"_s, result.task.output},
+                                    {u"status"_s, result.status},
+                                    {u"message"_s, result.message}};
+            mErr << QString::fromUtf8(QJsonDocument(event).toJson(QJsonDocument::Compact)) << Qt::endl;
+            return;
+        }
+        if (!result.succeeded()) {
+            mLine.clear();
+            mErr << "autocuts-cli: " << result.status << ": " << result.task.input << ": " << result.message
+                 << Qt::endl;
+        } else if (mLines) {
+            mErr << mDone << " of " << mTotal << ": " << result.task.input << ": " << result.status
+                 << Qt::endl;
+        }
+        QString text = u"%1 of %2"_s.arg(mDone).arg(mTotal);
+        if (mFailed > 0)
+            text += u", %1 failed"_s.arg(mFailed);
+        mLine.show(text + u", about %1 left"_s.arg(durationText(left)));
+    }
+
+    void clear() { mLine.clear(); }
+
+private:
+    bool mJson, mLines;
+    QTextStream &mErr;
+    ProgressLine mLine;
+    QElapsedTimer mClock;
+    int mTotal, mDone = 0, mFailed = 0;
+    qint64 mWeightDone = 0, mWeightLeft = 0;
+};
+
+//! One batch.
+class Batch final
+{
+public:
+    Batch(const CliOptions &options, StopSource &stop, bool onTerminal, QTextStream &out, QTextStream &err)
+        : mOptions(options), mChoice(*options.many), mStop(stop), mOnTerminal(onTerminal), mOut(out),
+          mErr(err), mJournal(options.output)
+    {}
+
+    int run()
+    {
+        const auto tasks = fileTasks(mChoice, mOptions.output);
+        if (!tasks)
+            return fail(tasks.error());
+        mTasks = tasks.value();
+        if (mChoice.dryRun)
+            return sayPlan();
+        if (!QDir().mkpath(mOptions.output))
+            return fail({u"the folder cannot be made"_s, mOptions.output, 0, u"Check the permissions"_s});
+        QLockFile lock(QDir(mOptions.output).filePath(u".autocuts-batch.lock"_s));
+        lock.setStaleLockTime(0);
+        if (!lock.tryLock())
+            return fail({u"another batch works in this folder"_s, mOptions.output, 0, u"Wait for it"_s});
+        if (const Result<Done> begun = begin(); !begun)
+            return fail(begun.error());
+        const Result<Done> worked = work();
+        if (!worked)
+            return fail(worked.error());
+        if (const Result<Done> reported = writeReport(); !reported)
+            return fail(reported.error());
+        return mStop.stop ? 130 : saySummary();
+    }
+
+private:
+    int fail(const Error &error)
+    {
+        mErr << "autocuts-cli: " << error.toString() << Qt::endl;
+        return 1;
+    }
+
+    int sayPlan()
+    {
+        for (const FileTask &task : mTasks)
+            mOut << task.input << " -> " << QDir(mOptions.output).filePath(task.output) << '\n';
+        mOut << Qt::flush;
+        return 0;
+    }
+
+    Result<Done> begin()
+    {
+        if (!mChoice.resume)
+            return mJournal.begin(mChoice);
+        const Result<FileResults> known = mJournal.resume(mChoice);
+        if (!known)
+            return known.error();
+        mKnown = known.value();
+        return Done{};
+    }
+
+    //! True when the journal says what came of the file, and that is still so.
+    bool isKnown(const FileTask &task) const
+    {
+        const auto found = mKnown.find(task.output);
+        if (found == mKnown.end() || !found->second.isOf(task))
+            return false;
+        if (!found->second.succeeded())
+            return !mChoice.retry;
+        return mOptions.each == CliOptions::Command::Check ||
+               QFileInfo::exists(QDir(mOptions.output).filePath(task.output));
+    }
+
+    RunLimits limits() const
+    {
+        const int cores = std::max(1, QThread::idealThreadCount());
+        RunLimits limits;
+        limits.jobs = mChoice.jobs > 0 ? mChoice.jobs : cores;
+        limits.threads = std::max(1, cores / limits.jobs);
+        limits.memory = mChoice.memory > 0 ? qint64(mChoice.memory * 1e9) : freeMemory() / 4 * 3;
+        limits.secondsPerFile = mChoice.fileLimit;
+        return limits;
+    }
+
+    Result<Done> work()
+    {
+        std::vector<FileTask> waiting;
+        std::copy_if(mTasks.begin(), mTasks.end(), std::back_inserter(waiting),
+                     [this](const FileTask &task) { return !isKnown(task); });
+        const bool draws = mChoice.report.endsWith(u".html"_s);
+        mPictures = QDir(mOptions.output).filePath(u".autocuts-batch"_s);
+        if (draws && !QDir().mkpath(mPictures))
+            return Error{u"the folder cannot be made"_s, mPictures, 0, u"Check the permissions"_s};
+        FileRunner runner(mChoice, mOptions.output, draws ? mPictures : QString(), limits());
+        BatchProgress progress(mOptions, mOnTerminal, mErr, waiting);
+        Result<Done> noted = Done{};
+        runner.run(waiting, mStop.stop, [&](const FileResult &result) {
+            noted = mJournal.add(result);
+            mKnown[result.task.output] = result;
+            progress.add(result);
+            return noted.ok();
+        });
+        return noted;
+    }
+
+    //! The results of the files that were named.
+    std::vector<FileResult> results() const
+    {
+        std::vector<FileResult> results;
+        for (const FileTask &task : mTasks) {
+            if (const auto found = mKnown.find(task.output); found != mKnown.end())
+                results.push_back(found->second);
+        }
+        return results;
+    }
+
+    Result<Done> writeReport() const
+    {
+        if (mChoice.report.isEmpty())
+            return Done{};
+        const RunReport report{mChoice, results(), mJournal.before(), mPictures};
+        if (mChoice.report.endsWith(u".csv"_s))
+            return saveAtomically(mChoice.report, csvReport(report));
+        if (mChoice.report.endsWith(u".json"_s))
+            return saveAtomically(mChoice.report, jsonReport(report));
+        return saveAtomically(mChoice.report, htmlReport(report));
+    }
+
+    int saySummary()
+    {
+        std::map<QString, int> counts = countsOf(results());
+        if (!mOptions.quiet) {
+            for (const auto &[status, count] : counts)
+                mOut << status << ": " << count << '\n';
+            mOut << Qt::flush;
+        }
+        if (counts[u"failed"_s] + counts[u"crashed"_s] + counts[u"timed_out"_s] > 0)
+            return 1;
+        return counts[u"bound_missed"_s] > 0 ? 3 : 0;
+    }
+
+    const CliOptions &mOptions;
+    const ManyChoice &mChoice;
+    StopSource &mStop;
+    bool mOnTerminal;
+    QTextStream &mOut;
+    QTextStream &mErr;
+    RunJournal mJournal;
+    std::vector<FileTask> mTasks;
+    FileResults mKnown;
+    QString mPictures;
+};
+
+} // namespace
+
+int runBatch(const CliOptions &options, StopSource &stop, bool showProgress, QTextStream &out,
+             QTextStream &err)
+{
+    return Batch(options, stop, showProgress, out, err).run();
+}
+
+} // namespace autocuts::manyfiles

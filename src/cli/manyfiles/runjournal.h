@@ -1,0 +1,56 @@
+// The journal of a batch: what has been done with which file, so that it can go on after a kill.
+#pragma once
+
+#include "cli/manyfiles/filelist.h"
+
+#include <QFile>
+#include <QJsonObject>
+
+#include <map>
+
+namespace autocuts::manyfiles {
+
+//! What came of a file.
+struct FileResult
+{
+    FileTask task;
+    QString status;  //!< "done", "bound_missed", "time_limit", "failed", "crashed" or "timed_out"
+    QString message; //!< why it failed
+    QStringList warnings;
+    QJsonObject figures; //!< the numbers of the report
+    double seconds = 0;
+
+    //! True when there is an output.
+    bool succeeded() const;
+    QJsonObject toJson() const;
+    static FileResult fromJson(const QJsonObject &line);
+    //! True when the line is about this file as it is now.
+    bool isOf(const FileTask &other) const;
+};
+
+//! The results by output.
+using FileResults = std::map<QString, FileResult>;
+
+//! A file of lines of JSON in the folder of a batch. The first says what is done, each further one what came
+//! of one file. A line counts when it is complete and on disk, which is after the output of its file.
+class RunJournal final
+{
+public:
+    explicit RunJournal(const QString &folder);
+
+    //! Begins a new one; the one before is kept for comparison.
+    Result<Done> begin(const ManyChoice &choice);
+    //! Reads what there is, and goes on behind it; begins a new one where there is none. An Error when it is
+    //! that of another command, or of other options.
+    Result<FileResults> resume(const ManyChoice &choice);
+    //! Adds a line and waits until it is on disk.
+    Result<Done> add(const FileResult &result);
+    //! The results of the run before.
+    FileResults before() const;
+
+private:
+    QString mPath, mBefore;
+    QFile mFile;
+};
+
+} // namespace autocuts::manyfiles
