@@ -362,10 +362,10 @@ private Q_SLOTS:
             QCOMPARE(help.count(u'\n' + heading + u":\n"_s), 1);
     }
 
-    void readmeAndManualPageAreOfTheTable()
+    void tablesAndManualPageAreOfTheTable()
     {
-        const QString readme = contents("README.md"), page = contents("docs/autocuts-cli.1");
-        QVERIFY2(readme.contains(u'\n' + markdownTables()), "write it again: scripts/docs");
+        const QString tables = contents("docs/commandline.md"), page = contents("docs/autocuts-cli.1");
+        QVERIFY2(tables.contains(u'\n' + markdownTables()), "write it again: scripts/docs");
         QVERIFY2(page == manualPage(), "write it again: scripts/docs");
         for (const CliOption &option : cliOptions())
             QVERIFY(page.contains(u"\n.TP\n\\fB"_s + QString(option.names.first()).replace(u'-', u"\\-"_s)));

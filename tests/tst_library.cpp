@@ -131,6 +131,24 @@ private Q_SLOTS:
         }
     }
 
+    void snippetOfTheDocumentation()
+    {
+        QFile page(QStringLiteral(AUTOCUTS_SOURCE_DIR "/docs/library.md"));
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        const QByteArray text = page.readAll();
+        const qsizetype begin = text.indexOf("```cpp\n") + 7;
+        QVERIFY(begin > 7);
+        QFile program(mFolder.filePath(u"snippet.cpp"_s));
+        QVERIFY(program.open(QIODevice::WriteOnly));
+        program.write("#include <autocuts/autocuts.hpp>\n"
+                      "void snippet(std::vector<double> positions, std::vector<std::uint32_t> indices, "
+                      "std::vector<std::uint32_t> faceSizes)\n{\n" +
+                      text.mid(begin, text.indexOf("```", begin) - begin) + "}\n");
+        program.close();
+        QVERIFY(run(u"c++"_s, {u"-std=c++20"_s, u"-fsyntax-only"_s,
+                               QStringLiteral("-I" AUTOCUTS_SOURCE_DIR "/include"), program.fileName()}));
+    }
+
     //! Another project has the source tree as a part of it, without the studio.
     void canBeASubdirectory()
     {

@@ -348,6 +348,22 @@ class Examples(unittest.TestCase):
         self.assertIn("3 pictures", self.run_example("live_pin.py", os.path.join(self.models, "cube.obj"), frames, "3"))
         self.assertEqual(len(os.listdir(frames)), 3)
 
+    def test_snippets_of_the_documentation(self):
+        path = os.path.join(os.path.dirname(self.examples), "docs", "library.md")
+        with open(path, encoding="utf-8") as page:
+            snippets = page.read().split("```python\n")[1:]
+        before = os.getcwd()
+        os.chdir(self.folder.name)
+        try:
+            autocuts.Mesh(CUBE, QUADS).save("model.fbx")
+            for snippet in snippets:
+                names = {"positions": CUBE, "faces": QUADS}
+                exec(snippet.split("```")[0], names)  # pylint: disable=exec-used
+                self.assertEqual(names["made"].island_count, 1)
+            self.assertIsNotNone(autocuts.Mesh.load("mapped.fbx").uvs)
+        finally:
+            os.chdir(before)
+
     @unittest.skipUnless(importlib.util.find_spec("trimesh"), "trimesh is missing")
     def test_with_trimesh(self):
         mapped = os.path.join(self.folder.name, "mapped.obj")

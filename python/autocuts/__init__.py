@@ -1,5 +1,7 @@
 """UV maps of polygon meshes: cuts and distortion optimised together.
 
+In short::
+
     import autocuts
     map = autocuts.unwrap(positions, faces, quality="draft")
     map.uvs          # (corners, 2): u, v of each corner of each face; the texture is 0 to 1

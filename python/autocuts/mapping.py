@@ -109,6 +109,8 @@ def render_layout(map, size=1024, tile=1001):
 class LiveSolve:
     """A map that gets better all the time on a thread of its own, and follows its steering.
 
+    In short::
+
         live = autocuts.LiveSolve(mesh)
         while (map := live.wait(1.0)) is not None:
             ...                      # show it; live.steer(pins=[[corner, u, v]]) moves a corner
