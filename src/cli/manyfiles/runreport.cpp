@@ -56,7 +56,7 @@ constexpr const char *pageBegin = R"(<!DOCTYPE html>
 body { font: 14px system-ui, sans-serif; margin: 1.5em; color: #222; background: #fff }
 table { border-collapse: collapse } th, td { padding: .3em .6em; border-bottom: 1px solid #ddd; text-align: right }
 th { position: sticky; top: 0; background: #eee; cursor: pointer; white-space: nowrap }
-td.text { text-align: left } td img { display: block } td.text div { max-width: 30em; font-size: 90% }
+td.text, th:nth-child(-n+4) { text-align: left } td img { display: block } td.text div { max-width: 30em; font-size: 90% }
 tr.u0 { background: #fbe3e1 } tr.u1 { background: #fdf4d8 } small { color: #666; display: block }
 th.up::after { content: " \25b2" } th.down::after { content: " \25bc" }
 </style></head><body>
@@ -197,7 +197,7 @@ QByteArray htmlReport(const RunReport &report)
         "<option value=\"u0\">Failed</option><option value=\"u1\">With warnings</option>"
         "<option value=\"u2\">Fine</option></select></p>\n<table><thead><tr><th></th>"_s;
     for (const QString &name :
-         QStringList{u"file"_s, u"status"_s, u"what"_s} + figures + QStringList{u"seconds"_s})
+         QStringList{u"file"_s, u"status"_s, u"message"_s} + figures + QStringList{u"seconds"_s})
         out += heading(name);
     out += u"</tr></thead><tbody>\n"_s;
     for (const FileResult &result : sorted)
