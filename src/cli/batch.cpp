@@ -99,6 +99,9 @@ private:
         case Command::Completion:
             mOut << completionScript(mOptions.input) << Qt::flush;
             return 0;
+        case Command::Settings:
+            mOut << mOptions.settingsText << Qt::flush;
+            return 0;
         case Command::Version:
             mOut << "autocuts-cli " << QCoreApplication::applicationVersion() << Qt::endl;
             return 0;

@@ -35,6 +35,7 @@ struct CliOptions
         ManPage,    //!< print the manual page to stdout
         Markdown,   //!< print the tables of the README to stdout
         Completion, //!< print what makes a shell complete the program's options
+        Settings,   //!< print the settings that a command would have
         Unwrap,
         Pack,
         Separate,
@@ -86,6 +87,9 @@ struct CliOptions
     std::optional<ManyChoice> many; //!< of a batch
     QString input;                  //!< a file, or the name of a sample or a shell
     QStringList given;              //!< the names of the given options, -o for --output
+    QString preset;                 //!< its name or path; read before the other options
+    bool showSettings = false;      //!< print the settings in place of the work
+    QString settingsText;           //!< these settings, in the form of a preset
     QString output;                 //!< -o
     SolveSettings settings;
     unwrap::UnwrapOptions unwrap; //!< its packing target is that of --tile or --into

@@ -515,6 +515,21 @@ const std::vector<CliOption> &cliOptions()
                              u"what the picture shows; both: the map beside the model"_s));
         all.push_back(integer(Group::Picturing, u"--size"_s, fieldOf(&CliOptions::pictureSide), 16, 4096,
                               u"pixels along the longer side of the picture"_s));
+        all.push_back(
+            {Group::Everything,
+             {u"--preset"_s},
+             u"NAME|FILE"_s,
+             u"take options from a preset: game-prop, film-udim, lightmap, scan, an own one (NAME.preset in "
+             "the folder autocuts/presets of the user's settings), or a file with lines such as margin = 8; "
+             "options of the command line replace it, and those of other commands in it do not count"_s,
+             {},
+             [](CliOptions &own, const QString &value) -> std::optional<QString> {
+                 own.preset = value;
+                 return std::nullopt;
+             }});
+        all.push_back(flag(Group::Everything, u"--show-settings"_s, fieldOf(&CliOptions::showSettings), true,
+                           u"print the settings that the command would have, in the form of a preset, and do "
+                           "nothing"_s));
         all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,
                            u"no progress and no figures, only warnings and errors"_s));
         return all;

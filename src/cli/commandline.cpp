@@ -3,6 +3,7 @@
 #include "cli/clicompletion.h"
 #include "cli/clitable.h"
 #include "cli/nearestname.h"
+#include "cli/presets.h"
 
 #include <QThread>
 
@@ -69,6 +70,8 @@ public:
         }
         mOptions.command = mOptions.each = command->id;
         mOptions.threads = std::max(1, QThread::idealThreadCount());
+        if (const Problem problem = takePresets(*command))
+            return *problem;
         while (!atEnd()) {
             const QString argument = take();
             if (!mOptionsEnded && argument == QLatin1String("--"))
@@ -78,6 +81,11 @@ public:
         }
         if (mOptions.command == Command::Help)
             return mOptions;
+        if (mOptions.showSettings) {
+            mOptions.settingsText = settingsOf(*command);
+            mOptions.command = Command::Settings;
+            return mOptions;
+        }
         if (const Problem problem = finish(*command))
             return *problem;
         if (mOptions.many)
@@ -130,19 +138,104 @@ private:
         return readOption(command, argument);
     }
 
+    //! Options of several groups may share a name: the one that the command takes, if there is one.
+    std::vector<CliOption>::const_iterator optionNamed(const CliCommand &command, const QString &name) const
+    {
+        return std::find_if(cliOptions().begin(), cliOptions().end(), [&](const CliOption &row) {
+            return row.names.contains(name) && takes(command, row);
+        });
+    }
+
+    static bool isKnown(const QString &name)
+    {
+        return std::any_of(cliOptions().begin(), cliOptions().end(),
+                           [&](const CliOption &row) { return row.names.contains(name); });
+    }
+
+    //! Takes the options of all presets that are named.
+    Problem takePresets(const CliCommand &command)
+    {
+        static const QString option = QStringLiteral("--preset");
+        for (qsizetype i = mNext; i < mArguments.size() && mArguments[i] != QLatin1String("--"); ++i) {
+            QString name;
+            if (mArguments[i] == option && i + 1 < mArguments.size())
+                name = mArguments[i + 1];
+            else if (mArguments[i].startsWith(option + QLatin1Char('=')))
+                name = mArguments[i].mid(option.size() + 1);
+            if (name.isEmpty())
+                continue;
+            const Result<Preset> preset = readPreset(name);
+            if (!preset)
+                return preset.error();
+            for (const PresetOption &row : preset->options) {
+                if (const Problem problem = takePresetOption(command, row, preset->path))
+                    return problem;
+            }
+        }
+        return std::nullopt;
+    }
+
+    Problem takePresetOption(const CliCommand &command, const PresetOption &given, const QString &path)
+    {
+        const auto wrong = [&](const QString &message) {
+            return Error{message, path, given.line, QStringLiteral("See autocuts-cli --help")};
+        };
+        if (!isKnown(given.name)) {
+            QStringList names;
+            for (const CliOption &row : cliOptions())
+                names += row.names;
+            return wrong(QStringLiteral("unknown option \"%1\"").arg(given.name.mid(2)) +
+                         didYouMean(given.name, names));
+        }
+        const auto option = optionNamed(command, given.name);
+        if (option == cliOptions().end())
+            return std::nullopt; // of another command
+        if (option->value.isEmpty() != given.value.isEmpty())
+            return wrong(QStringLiteral("%1 %2").arg(given.name, given.value.isEmpty()
+                                                                     ? QStringLiteral("needs a value")
+                                                                     : QStringLiteral("takes no value")));
+        if (const std::optional<QString> expected = option->read(mOptions, given.value))
+            return wrong(QStringLiteral("%1 takes %2, not \"%3\"").arg(given.name, *expected, given.value));
+        note(*option, given.value);
+        return std::nullopt;
+    }
+
+    //! Keeps what was given, the last value of each option.
+    void note(const CliOption &option, const QString &value)
+    {
+        mOptions.given << option.names.first();
+        mValues[option.names.first()] = value;
+    }
+
+    //! What was given, and the defaults of the rest, as a preset.
+    QString settingsOf(const CliCommand &command) const
+    {
+        QString text;
+        for (const CliOption &row : cliOptions()) {
+            const QString name = row.names.first();
+            if (!name.startsWith(QLatin1String("--")) || !takes(command, row) ||
+                name == QLatin1String("--preset") || name == QLatin1String("--show-settings"))
+                continue;
+            const auto given = mValues.find(name);
+            const QString value = given == mValues.end() ? row.standard : given->second;
+            CliOptions tried; // some defaults are told in words
+            if (given == mValues.end() && (value.isEmpty() || row.read(tried, value)))
+                continue;
+            text += name.mid(2) + (row.value.isEmpty() ? QString() : QStringLiteral(" = ") + value) +
+                    QLatin1Char('\n');
+        }
+        return text;
+    }
+
     //! "--name", "--name value" or "--name=value".
     Problem readOption(const CliCommand &command, const QString &argument)
     {
         const qsizetype equals =
             argument.startsWith(QLatin1String("--")) ? argument.indexOf(QLatin1Char('=')) : -1;
         const QString name = argument.left(equals);
-        const auto isNamed = [&](const CliOption &row) { return row.names.contains(name); };
-        // Options of several groups may share a name.
-        const auto option = std::find_if(cliOptions().begin(), cliOptions().end(), [&](const CliOption &row) {
-            return isNamed(row) && takes(command, row);
-        });
+        const auto option = optionNamed(command, name);
         if (option == cliOptions().end()) {
-            if (std::any_of(cliOptions().begin(), cliOptions().end(), isNamed))
+            if (isKnown(name))
                 return usageError(QStringLiteral("%1 does not belong to this command").arg(name));
             QStringList names;
             for (const CliOption &row : cliOptions())
@@ -161,7 +254,7 @@ private:
         } else {
             value = take();
         }
-        mOptions.given << option->names.first();
+        note(*option, value);
         if (const std::optional<QString> expected = option->read(mOptions, value))
             return usageError(QStringLiteral("%1 takes %2, not \"%3\"").arg(name, *expected, value));
         if (mOptions.many && option->group != OptionGroup::Batching && option->group != OptionGroup::Output)
@@ -224,7 +317,8 @@ private:
 
     const QStringList &mArguments;
     qsizetype mNext = 0;
-    bool mOptionsEnded = false; //!< by "--"
+    bool mOptionsEnded = false;         //!< by "--"
+    std::map<QString, QString> mValues; //!< of the options that were given, by their first names
     CliOptions mOptions;
 };
 
