@@ -120,28 +120,28 @@ MadeMap packed(Job &job)
     return resultOf(job, std::move(uv));
 }
 
-MadeMap separated(Job &job, unwrap::SeparateResult made)
+MadeMap separated(Job &job, const unwrap::SeparateResult &made)
 {
     using Outcome = unwrap::SeparateResult::Outcome;
     if (made.outcome == Outcome::NoRoom)
         throw noRoom();
     if (made.outcome == Outcome::Stopped)
         throw Failure{AUTOCUTS_STOPPED, "stopped before the overlaps were taken apart"};
-    UvMatrix uv = made.outcome == Outcome::Done ? std::move(made.uv) : *job.snapshot.uv;
-    return resultOf(job, atDensity(job, packJobOf(job), std::move(uv)));
+    const UvMatrix &uv = made.outcome == Outcome::Done ? made.uv : *job.snapshot.uv;
+    return resultOf(job, atDensity(job, packJobOf(job), uv));
 }
 
 MadeMap aligned(Job &job)
 {
     job.snapshot.scope = std::make_shared<const JobScope>(
         JobScope{std::vector<bool>(std::size_t(job.snapshot.mesh->faceCount()), true)});
-    unwrap::AlignResult made =
+    const unwrap::AlignResult made =
         unwrap::alignIslands({job.snapshot, job.options.maxDistortion, job.options.packing}, job.context);
     if (made.flipped)
         throw badInput("triangles of the map are flipped", "Finish the map first");
     if (made.noRoom)
         throw noRoom();
-    return resultOf(job, made.uv.rows() > 0 ? std::move(made.uv) : *job.snapshot.uv);
+    return resultOf(job, made.uv.rows() > 0 ? made.uv : *job.snapshot.uv);
 }
 
 MadeMap transferred(const autocuts_mesh *source, autocuts_match match, Job &job,

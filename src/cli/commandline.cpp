@@ -168,7 +168,7 @@ private:
             if (!preset)
                 return preset.error();
             for (const PresetOption &row : preset->options) {
-                if (const Problem problem = takePresetOption(command, row, preset->path))
+                if (Problem problem = takePresetOption(command, row, preset->path))
                     return problem;
             }
         }

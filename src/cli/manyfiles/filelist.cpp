@@ -100,7 +100,7 @@ private:
     QString outputOf(const QString &below) const
     {
         const QFileInfo name(below);
-        const QString stem = QDir::cleanPath(name.path() + u'/' + name.completeBaseName());
+        QString stem = QDir::cleanPath(name.path() + u'/' + name.completeBaseName());
         const bool makesFolder =
             mChoice.command == u"bake" ||
             std::any_of(mChoice.passed.begin(), mChoice.passed.end(),
