@@ -33,7 +33,7 @@ struct CliOptions
         Help,
         Version,
         ManPage,    //!< print the manual page to stdout
-        Markdown,   //!< print the tables of the README to stdout
+        Markdown,   //!< print the tables of docs/commandline.md to stdout
         Completion, //!< print what makes a shell complete the program's options
         Settings,   //!< print the settings that a command would have
         Unwrap,
