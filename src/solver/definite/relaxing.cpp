@@ -18,8 +18,6 @@ constexpr double barrierReach = 0.1;
 //! Weight of one contact relative to that of a mean triangle. Chosen by hand; no measurement of its effect is
 //! recorded.
 constexpr double barrierWeight = 0.05;
-//! Least relative change of the energy. Chosen by hand; no measurement of its effect is recorded.
-constexpr double stall = 1e-6;
 
 } // namespace
 
@@ -47,7 +45,7 @@ int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot
     while (done < steps && !job.stopped()) {
         const newton::Minimizer::Step step = minimizer.step(map.x);
         ++done;
-        if (step.before - step.after <= stall * std::abs(step.before))
+        if (hasSettled(step))
             break;
     }
     return done;

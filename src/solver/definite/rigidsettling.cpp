@@ -4,6 +4,7 @@
 #include "solver/rigid/nets.h"
 #include "solver/search/bentregions.h"
 #include "solver/search/seamsearch.h"
+#include "solver/search/trianglekernel.h"
 
 #include <algorithm>
 
@@ -15,11 +16,28 @@ namespace {
 constexpr double finalStiffness = 100;
 constexpr int settlingSteps = 30;  // Newton steps; chosen by hand
 constexpr int mostRounds = 3;      // of cutting out what bends, or bends after that
+constexpr double atRest = 1e-9;    // energy of a triangle that has its shape, above that of an isometry
 constexpr int settlingMoves = 100; // large moves when seams have to be opened; chosen by hand
 
 bool any(const std::vector<bool> &flags)
 {
     return std::find(flags.begin(), flags.end(), true) != flags.end();
+}
+
+//! True for a triangle of a rigid region that is not an isometry in the map.
+bool losesShape(const Soup &soup, const RigidRegions &regions, const std::vector<double> &x, int t)
+{
+    return regions.region[t] >= 0 &&
+           search::triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]) > 4 + atRest;
+}
+
+bool anyLosesShape(const Soup &soup, const RigidRegions &regions, const std::vector<double> &x)
+{
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        if (losesShape(soup, regions, x, t))
+            return true;
+    }
+    return false;
 }
 
 //! The search with stiffer regions that are flat, see settleRigidRegions().
@@ -78,12 +96,21 @@ private:
         search::SeamSearch search(state, mOptions.seed, {mMu, !mOptions.allowOverlaps, mOptions.job.quiet()});
         if (!mGraph->anchors.empty())
             search.anchor(); // regions give way to hard pins
-        search.relaxAll(settlingSteps);
+        search.relaxCharts(unsettledCharts(state), settlingSteps);
         if (absorbing) {
             search.absorbSmallCharts();
-            search.relaxAll(settlingSteps);
+            search.relaxCharts(unsettledCharts(state), settlingSteps);
         }
         return state.map();
+    }
+
+    //! The charts that may change: in others there is nothing left to relax.
+    std::vector<char> unsettledCharts(const search::CutState &state) const
+    {
+        std::vector<char> found(state.chartCount(), 0);
+        for (int t = 0; t < mGraph->triangleCount(); ++t)
+            found[state.chart[t]] |= losesShape(mPlain, *mGraph->rigid, state.x, t);
+        return found;
     }
 
     //! Per region: true when it has lost its shape in a map and may be cut out.
@@ -140,7 +167,7 @@ private:
 SeamedMap settleRigidRegions(const std::shared_ptr<const search::SeamGraph> &graph, const Snapshot &snapshot,
                              const search::OptimizeOptions &options, SeamedMap map, double mu)
 {
-    if (!snapshot.rigid || options.job.stopped())
+    if (!snapshot.rigid || options.job.stopped() || !anyLosesShape(*graph->soup, *snapshot.rigid, map.x))
         return map;
     const double bound = std::max(options.maxDistortion, map.distortion(*graph->soup));
     const Settling settling(*graph, snapshot, options, mu, bound);

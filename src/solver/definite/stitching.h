@@ -5,6 +5,7 @@
 #include "model/plain/snapshot.h"
 #include "solver/base/jobcontext.h"
 #include "solver/base/seamedmap.h"
+#include "solver/newton/minimizer.h"
 
 #include <functional>
 #include <vector>
@@ -29,5 +30,8 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
 //! \return the number of steps
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
              const JobContext &job = {}, const std::function<void(int)> &stepped = {});
+
+//! True when a Newton step has gained so little that further ones are not worth their time.
+bool hasSettled(const newton::Minimizer::Step &step);
 
 } // namespace autocuts::definite

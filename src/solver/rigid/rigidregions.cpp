@@ -21,6 +21,8 @@ const double sharpCosine = std::cos(40 * degree);
 const double softCosine = std::cos(10 * degree);
 //! Share of the mesh's area, or of its component's, from which a region is seen.
 constexpr double leastArea = 2e-4, leastPart = 0.01;
+//! Components that have less than this share of the largest one's area are dust: nobody sees their shape.
+constexpr double dust = 1e-4;
 constexpr double leastSharp = 0.5; // share of the border
 constexpr double largeFace = 20; // area of a flat region beside the mean polygon, from which soft borders do
 constexpr double leastSoftArea = 5e-3; // the same as a share of the mesh's area
@@ -59,6 +61,7 @@ public:
         mComponentArea.assign(mesh.componentCount, 0);
         for (int t = 0; t < mesh.triangleCount(); ++t)
             mComponentArea[mesh.component[t]] += mesh.triangleArea[t];
+        mDust = dust * *std::max_element(mComponentArea.begin(), mComponentArea.end());
     }
 
     RigidRegions find()
@@ -137,8 +140,8 @@ private:
 
     bool isLarge(double area, int triangle) const
     {
-        return area >= leastArea * mShape.wholeArea ||
-               area >= leastPart * mComponentArea[mMesh.component[triangle]];
+        const double component = mComponentArea[mMesh.component[triangle]];
+        return area >= leastArea * mShape.wholeArea || (area >= leastPart * component && component >= mDust);
     }
 
     //! What a region has to be to keep its shape.
@@ -363,6 +366,7 @@ private:
     const MeshData &mMesh;
     const SurfaceShape mShape;
     std::vector<bool> mCrease; //!< per triangle side
+    double mDust = 0;          //!< area below which a component is dust
     std::vector<double> mComponentArea;
     std::vector<int> mRegion;
     int mCount = 0;

@@ -1,4 +1,4 @@
-// Joining or growing charts that are too small, and the mirror images of seam changes.
+// Joining charts, growing those that are too small, and the mirror images of seam changes.
 #include "solver/search/seamsearch.h"
 
 #include <algorithm>
@@ -10,10 +10,11 @@ namespace autocuts::search {
 namespace {
 
 // Chosen by hand; their effect has not been measured.
-constexpr int absorbSteps = 12;      // Newton steps per trial
-constexpr double grownShare = 1.1;   // area that a chart is grown to, relative to the least allowed area
-constexpr int edgesPerNeighbour = 6; // seam edges per neighbour from which growing is tried, about
-constexpr int mostPatch = 3000;      // triangles in the patch of a trial, at most
+constexpr int absorbSteps = 12;        // Newton steps per trial
+constexpr double grownShare = 1.1;     // area that a chart is grown to, relative to the least allowed area
+constexpr int edgesPerNeighbour = 6;   // seam edges per neighbour from which growing is tried, about
+constexpr int mostPatch = 3000;        // triangles in the patch of a trial, at most
+constexpr double leastJoinGain = 2e-6; // of energy + mu * cost
 constexpr double anyGain = -std::numeric_limits<double>::infinity();
 //! Energy that a join may cost where rigid regions keep their shape: to lose it costs more.
 constexpr double leastRigidGain = -0.02;
@@ -188,6 +189,40 @@ bool SeamSearch::grow(int chart)
             break;
     }
     return false;
+}
+
+void SeamSearch::joinCharts()
+{
+    const SeamGraph &graph = *mState.graph;
+    std::set<int> failed; // an edge of each seam that could not be closed
+    for (bool again = true; again && !stopped();) {
+        again = false;
+        std::map<std::pair<int, int>, std::vector<int>> seams;
+        for (const int side : mState.boundary) {
+            const int e = graph.edgeOf[side];
+            const int a = mState.chart[side / 3], b = e < 0 ? -1 : mState.chart[graph.across[side] / 3];
+            if (b > a && graph.rule[e] != SeamGraph::Rule::AlwaysCut)
+                seams[{a, b}].push_back(e);
+        }
+        std::vector<std::pair<double, std::vector<int>>> sorted;
+        for (auto &[charts, edges] : seams) {
+            double length = 0;
+            for (const int e : edges)
+                length -= graph.cost[e];
+            if (!failed.count(edges.front()))
+                sorted.emplace_back(length, std::move(edges));
+        }
+        std::sort(sorted.begin(), sorted.end());
+        for (const auto &[length, edges] : sorted) {
+            if (stopped())
+                return;
+            const int size = std::clamp(12 * static_cast<int>(edges.size()), 200, 1000);
+            if (attempt(Absorb, {{}, edges}, size, absorbSteps, leastJoinGain))
+                again = true;
+            else
+                failed.insert(edges.front());
+        }
+    }
 }
 
 void SeamSearch::absorbSmallCharts()

@@ -1,6 +1,7 @@
 #include "solver/search/seamoptimizer.h"
 
 #include "solver/base/parallel.h"
+#include "solver/search/firstclusters.h"
 #include "solver/search/seamseeds.h"
 #include "solver/search/tutte.h"
 
@@ -172,6 +173,8 @@ std::optional<CutState> tryFirstMap(const std::shared_ptr<const SeamGraph> &grap
 std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
                                  const OptimizeOptions &options, int number)
 {
+    if (options.clusters)
+        return firstClusters(graph, options);
     std::optional<CutState> state;
     for (int i = 0; i < firstTries && !state; ++i)
         state = tryFirstMap(graph, options, number + i * options.effort.seeds);

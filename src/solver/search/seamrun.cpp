@@ -78,6 +78,8 @@ void SeamRun::start()
     }
     mSearch.anchor();
     mSearch.absorbSmallCharts();
+    if (mOptions.clusters)
+        mSearch.joinCharts();
     mBest = mState;
     mBestScore = score();
     for (int i = 0; i < firstPolishes && !mSearch.stopped(); ++i) {

@@ -44,6 +44,7 @@ struct OptimizeOptions
     OptimizeEffort effort;
     //! Further maps to start from. Where there are pins, they lie there.
     std::vector<SeamedMap> given;
+    bool clusters = false;          //!< first cuts are those between clusters, see firstClusters()
     std::uint64_t seed = 1;         //!< of all random numbers
     JobContext job;                 //!< for stopping and threads; progress goes to `start` and `progress`
     std::function<void(int)> start; //!< called once with the number of large moves of the whole job

@@ -39,6 +39,8 @@ public:
     //! Joins charts below CutState::smallestChart() to their neighbours at any cost, as long as the energy
     //! stays below the ceiling.
     void absorbSmallCharts();
+    //! Joins charts along their whole common seams where that pays, the longest seam first.
+    void joinCharts();
     //! Tries random new seams and leaves the map as it was.
     //! \returns the one that lowers the energy most per length; empty when none does
     std::vector<int> bestNewSeam(int tries);
@@ -48,6 +50,11 @@ public:
     double relaxAll(int steps, const SeamTrial::MapSink &between = {})
     {
         return mTrial.relaxAll(steps, mOptions.guarded, mOptions.job, between);
+    }
+    //! See SeamTrial::relaxCharts().
+    double relaxCharts(const std::vector<char> &which, int steps)
+    {
+        return mTrial.relaxCharts(which, steps, mOptions.guarded, mOptions.job);
     }
     //! Replaces the map under search. \pre it is a map of the same mesh
     void restore(const CutState &state);

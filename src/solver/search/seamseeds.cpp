@@ -1,66 +1,21 @@
 #include "solver/search/seamseeds.h"
 
+#include "solver/base/cornerat.h"
 #include "solver/base/random.h"
+#include "solver/search/chartclusters.h"
 #include "solver/search/seamchains.h"
+#include "solver/search/shortestpaths.h"
 #include "solver/search/tutte.h"
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <numbers>
+#include <optional>
+#include <tuple>
 
 namespace autocuts::search {
 
 namespace {
-
-//! Where a path may run on a mirrored mesh: anywhere, on one side of the plane of symmetry (only its ends may
-//! lie on the plane), or within the plane.
-enum class Way { Any, OneSide, AlongPlane };
-
-//! True when a path that has reached vertex v may continue along edge e.
-bool mayTake(const SeamGraph &graph, Way way, int e, int v, bool isStart)
-{
-    if (graph.rule[e] == SeamGraph::Rule::NeverCut)
-        return false;
-    if (way == Way::Any)
-        return true;
-    const bool onPlane = graph.onPlane[graph.ends[e][0]] && graph.onPlane[graph.ends[e][1]];
-    if (way == Way::AlongPlane)
-        return onPlane;
-    return (isStart || !graph.onPlane[v]) && (onPlane || graph.mirror[e] != e);
-}
-
-//! Distances from the nearest of some vertices, along edges not joined by the user; -1: not reachable.
-//! \param via receives per vertex the last edge of its path, -1 without one
-std::vector<double> distances(const SeamGraph &graph, const std::vector<double> &cost,
-                              const std::vector<int> &from, std::vector<int> &via, Way way = Way::Any)
-{
-    std::vector<double> distance(graph.vertexCount, -1);
-    via.assign(graph.vertexCount, -1);
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    for (const int v : from) {
-        distance[v] = 0;
-        queue.emplace(0, v);
-    }
-    while (!queue.empty()) {
-        const auto [d, v] = queue.top();
-        queue.pop();
-        if (d > distance[v])
-            continue;
-        for (const int e : graph.edgesAt(v)) {
-            if (!mayTake(graph, way, e, v, d == 0))
-                continue;
-            const int w = graph.farEnd(e, v);
-            const double there = d + cost[e];
-            if (distance[w] < 0 || there < distance[w]) {
-                distance[w] = there;
-                via[w] = e;
-                queue.emplace(there, w);
-            }
-        }
-    }
-    return distance;
-}
 
 //! Edge costs times random factors and smooth noise (a sum of six waves), so that every seed finds other
 //! paths. Mirror images get equal costs. Amplitudes 0.15 and 0.2 were chosen by hand; their effect has not
@@ -91,21 +46,6 @@ std::vector<double> noisyCosts(const SeamGraph &graph, Random &random)
     return cost;
 }
 
-//! The vertex with the largest distance.
-int farthest(const std::vector<double> &distance)
-{
-    return static_cast<int>(std::max_element(distance.begin(), distance.end()) - distance.begin());
-}
-
-//! Cuts the path that ends at v. \returns its number of edges
-int cutPath(const SeamGraph &graph, const std::vector<int> &via, int v, CutFlags &cut)
-{
-    int edges = 0;
-    for (; via[v] >= 0; v = graph.farEnd(via[v], v), ++edges)
-        cut[via[v]] = true;
-    return edges;
-}
-
 //! True when a chart lies on both sides of some cut edge.
 bool isCutInside(const SeamGraph &graph, const std::vector<int> &chart, int c, const CutFlags &cut)
 {
@@ -120,7 +60,7 @@ bool isCutInside(const SeamGraph &graph, const std::vector<int> &chart, int c, c
 //! Opens a closed chart symmetrically: by a path in the plane of symmetry, or by a path from a vertex on the
 //! plane and its mirror image. \returns the number of edges of the path without its image; 0 when no vertex
 //! of the chart lies on the plane
-int openAcrossPlane(const SeamGraph &graph, const std::vector<double> &cost, const std::vector<int> &points,
+int openAcrossPlane(const SeamGraph &graph, ShortestPaths &paths, const std::vector<int> &points,
                     Random &random, CutFlags &cut)
 {
     std::vector<int> onPlane;
@@ -128,15 +68,19 @@ int openAcrossPlane(const SeamGraph &graph, const std::vector<double> &cost, con
                  [&](int v) { return graph.onPlane[v]; });
     if (onPlane.empty())
         return 0;
-    std::vector<int> via;
     const int any = onPlane[random.below(static_cast<int>(onPlane.size()))];
     const bool along = random.uniform() < 0.5;
-    const int start = farthest(distances(graph, cost, {any}, via, Way::AlongPlane));
+    paths.run({any}, Way::AlongPlane);
+    const int start = paths.farthest();
     int edges = 0;
-    if (along)
-        edges = cutPath(graph, via, farthest(distances(graph, cost, {start}, via, Way::AlongPlane)), cut);
-    if (edges < 2)
-        edges = cutPath(graph, via, farthest(distances(graph, cost, {any}, via, Way::OneSide)), cut);
+    if (along) {
+        paths.run({start}, Way::AlongPlane);
+        edges = paths.cutPath(paths.farthest(), cut);
+    }
+    if (edges < 2) {
+        paths.run({any}, Way::OneSide);
+        edges = paths.cutPath(paths.farthest(), cut);
+    }
     graph.makeSymmetric(cut);
     return edges;
 }
@@ -176,32 +120,32 @@ void openCharts(const SeamGraph &graph, const std::vector<double> &cost, Random 
         }
     }
     graph.makeSymmetric(cut);
+    ShortestPaths paths(graph, cost);
+    std::optional<CutFlags> disks;
     for (int c = 0; c < state.chartCount; ++c) {
         if (loops[c] > 0 || handles[c] || (graph.isMirrored() && isCutInside(graph, state.chart, c, cut)))
             continue;
-        std::vector<int> via;
-        int start = graph.vertex[first[c]];
-        const std::vector<double> around = distances(graph, cost, {start}, via);
-        // A random vertex of the chart, so that the seeds differ.
-        std::vector<int> points;
-        for (int v = 0; v < graph.vertexCount; ++v) {
-            if (around[v] >= 0)
-                points.push_back(v);
-        }
-        if (graph.isMirrored() && openAcrossPlane(graph, cost, points, random, cut) > 0)
+        paths.run({graph.vertex[first[c]]});
+        const std::vector<int> points = paths.reached();
+        if (graph.isMirrored() && openAcrossPlane(graph, paths, points, random, cut) > 0)
             continue;
-        start =
-            farthest(distances(graph, cost, {points[random.below(static_cast<int>(points.size()))]}, via));
-        if (cutPath(graph, via, farthest(distances(graph, cost, {start}, via)), cut) < 2) {
-            const CutFlags disks = cutToDisks(mesh, cut);
+        // From a random vertex of the chart, so that the seeds differ.
+        paths.run({points[random.below(static_cast<int>(points.size()))]});
+        paths.run({paths.farthest()});
+        if (paths.cutPath(paths.farthest(), cut) < 2) {
+            if (!disks || graph.isMirrored())
+                disks = cutToDisks(mesh, cut);
             for (std::size_t e = 0; e < cut.size(); ++e) {
                 if (state.chart[mesh.edgePairs[e].triangle[0]] == c)
-                    cut[e] = disks[e];
+                    cut[e] = (*disks)[e];
             }
         }
         graph.makeSymmetric(cut);
     }
 }
+
+//! Loops that turn less than this are holes.
+constexpr double holeTurning = -std::numbers::pi;
 
 enum class Loops {
     All,
@@ -232,6 +176,7 @@ void joinLoops(const SeamGraph &graph, const std::vector<double> &cost, Loops wh
     const auto isBorder = [&](int side) { return graph.across[side] < 0; };
     for (std::size_t i = 0; i < loops.size() && which == Loops::Slits; ++i)
         joined[i] = joined[i] || std::any_of(loops[i].begin(), loops[i].end(), isBorder);
+    ShortestPaths paths(graph, cost);
     for (std::size_t i = 0; i < loops.size(); ++i) {
         if (joined[i])
             continue;
@@ -239,17 +184,112 @@ void joinLoops(const SeamGraph &graph, const std::vector<double> &cost, Loops wh
         std::vector<int> from;
         for (const int side : loops[i])
             from.push_back(graph.vertex[side]);
-        std::vector<int> via;
-        const std::vector<double> distance = distances(graph, cost, from, via);
-        int nearest = -1;
-        for (int v = 0; v < graph.vertexCount; ++v) {
-            if (loopOf[v] >= 0 && joined[loopOf[v]] && distance[v] >= 0 &&
-                (nearest < 0 || distance[v] < distance[nearest]))
-                nearest = v;
-        }
+        const int nearest = paths.run(
+            from, Way::Any, [](int) { return true; },
+            [&](int v) { return loopOf[v] >= 0 && joined[loopOf[v]]; });
         joined[i] = true;
         if (nearest >= 0)
-            cutPath(graph, via, nearest, cut);
+            paths.cutPath(nearest, cut);
+    }
+}
+
+//! By how much the boundary of a chart turns along a loop, on the surface: 2 pi around a disk, 0 at the end
+//! of a tube, -2 pi around a hole in a plane.
+std::vector<double> turningOf(const SeamGraph &graph, const CutMesh &state,
+                              const std::vector<std::vector<int>> &loops)
+{
+    const Soup &soup = *graph.soup;
+    std::vector<double> angle(state.uvVertexCount, 0);
+    for (int c = 0; c < static_cast<int>(state.uvVertex.size()); ++c) {
+        const auto &shape = soup.restShape[c / 3];
+        const Vec2 at = cornerAt(shape, c % 3);
+        const Vec2 a = cornerAt(shape, (c + 1) % 3) - at, b = cornerAt(shape, (c + 2) % 3) - at;
+        angle[state.uvVertex[c]] += std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
+    }
+    std::vector<double> turning;
+    for (const std::vector<int> &loop : loops) {
+        double sum = 0;
+        for (const int side : loop)
+            sum += std::numbers::pi - angle[state.uvVertex[side]];
+        turning.push_back(sum);
+    }
+    return turning;
+}
+
+//! Cuts tubes open: paths within a chart from each loop that is no hole to those that turn most.
+void openTubes(const SeamGraph &graph, const std::vector<double> &cost, CutFlags &cut)
+{
+    const CutMesh state(*graph.soup->mesh, cut);
+    const std::vector<std::vector<int>> loops = state.boundaryLoops();
+    const std::vector<double> turning = turningOf(graph, state, loops);
+    std::vector<int> outer(state.chartCount, -1);
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        int &l = outer[state.chart[loops[i].front() / 3]];
+        if (l < 0 || turning[i] > turning[l])
+            l = static_cast<int>(i);
+    }
+    ShortestPaths paths(graph, cost);
+    std::vector<int> joinedTo(graph.vertexCount, -1); // a chart in which the vertex is on a joined loop
+    const auto markJoined = [&](int loop) {
+        for (const int side : loops[loop])
+            joinedTo[graph.vertex[side]] = state.chart[side / 3];
+    };
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        const int chart = state.chart[loops[i].front() / 3];
+        if (outer[chart] == static_cast<int>(i) || turning[i] < holeTurning)
+            continue;
+        markJoined(outer[chart]);
+        std::vector<int> from;
+        for (const int side : loops[i])
+            from.push_back(graph.vertex[side]);
+        const int nearest = paths.run(
+            from, Way::Any,
+            [&](int e) {
+                return !cut[e] && state.chart[graph.soup->mesh->edgePairs[e].triangle[0]] == chart;
+            },
+            [&](int v) { return joinedTo[v] == chart; });
+        if (nearest >= 0)
+            paths.cutPath(nearest, cut);
+        markJoined(static_cast<int>(i));
+    }
+}
+
+//! Cuts edges between which Tutte's embedding would be flat: those that join the same two vertices of a
+//! chart, and one more at a slit of one edge.
+void cutParallelEdges(const SeamGraph &graph, CutFlags &cut)
+{
+    const MeshData &mesh = *graph.soup->mesh;
+    for (bool again = true; again;) {
+        again = false;
+        const auto open = [&](int side) {
+            const int e = graph.edgeOf[side];
+            if (e < 0 || cut[e] || graph.rule[e] == SeamGraph::Rule::NeverCut)
+                return false;
+            return again = cut[e] = true;
+        };
+        const CutMesh state(mesh, cut);
+        std::vector<std::tuple<int, int, int>> edges; // the vertices at the ends, then a side
+        for (int side = 0; side < mesh.soupCornerCount(); ++side) {
+            if (state.neighbour[side] > side || state.neighbour[side] < 0) {
+                const auto [a, b] =
+                    std::minmax(state.uvVertex[side], state.uvVertex[side / 3 * 3 + (side + 1) % 3]);
+                edges.emplace_back(a, b, side);
+            }
+        }
+        std::sort(edges.begin(), edges.end());
+        const auto parallel = [&](std::size_t i, std::size_t j) {
+            return j < edges.size() && std::get<0>(edges[i]) == std::get<0>(edges[j]) &&
+                   std::get<1>(edges[i]) == std::get<1>(edges[j]);
+        };
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (parallel(i, i + 1) || (i > 0 && parallel(i - 1, i)))
+                open(std::get<2>(edges[i]));
+        }
+        for (const std::vector<int> &loop : state.boundaryLoops()) {
+            const int side = loop.front(), next = side / 3 * 3 + (side + 1) % 3;
+            if (loop.size() == 2 && !open(next))
+                open(side / 3 * 3 + (side + 2) % 3);
+        }
     }
 }
 
@@ -283,22 +323,17 @@ std::vector<double> shrinkage(const SeamGraph &graph, const std::vector<double> 
 //! Cuts the shortest path from a vertex to the nearest seam or border. On a mirrored mesh it does not cross
 //! the plane of symmetry if that can be avoided, because it would meet its own image there.
 //! \returns false when there is no path
-bool joinToSeam(const SeamGraph &graph, const std::vector<double> &cost, int v,
-                const std::vector<bool> &onSeam, CutFlags &cut)
+bool joinToSeam(const SeamGraph &graph, ShortestPaths &paths, int v, const std::vector<bool> &onSeam,
+                CutFlags &cut)
 {
     std::vector<Way> ways{Way::Any};
     if (graph.isMirrored())
         ways = {graph.onPlane[v] ? Way::AlongPlane : Way::OneSide, Way::Any};
     for (const Way way : ways) {
-        std::vector<int> via;
-        const std::vector<double> distance = distances(graph, cost, {v}, via, way);
-        int nearest = -1;
-        for (int w = 0; w < graph.vertexCount; ++w) {
-            if (onSeam[w] && distance[w] >= 0 && (nearest < 0 || distance[w] < distance[nearest]))
-                nearest = w;
-        }
+        const int nearest = paths.run(
+            {v}, way, [](int) { return true; }, [&](int w) -> bool { return onSeam[w]; });
         if (nearest >= 0) {
-            cutPath(graph, via, nearest, cut);
+            paths.cutPath(nearest, cut);
             return true;
         }
     }
@@ -315,11 +350,18 @@ std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options)
     CutFlags cut(mesh.edgePairs.size());
     for (std::size_t e = 0; e < cut.size(); ++e)
         cut[e] = graph.rule[e] == SeamGraph::Rule::AlwaysCut;
+    if (!options.mostSpread.empty())
+        cut = clusterSeams(graph, options.mostSpread);
     openCharts(graph, cost, random, cut);
+    if (!options.mostSpread.empty()) {
+        openTubes(graph, cost, cut);
+        cutParallelEdges(graph, cut);
+    }
     if (options.joinBorders)
         joinLoops(graph, cost, Loops::All, cut);
     mirrorCuts(graph, cost, cut);
 
+    ShortestPaths paths(graph, cost);
     const auto stopped = [&] { return options.job.stopped(); };
     for (int added = 0; added < options.paths && !stopped(); ++added) {
         const CutMesh state(mesh, cut);
@@ -343,7 +385,7 @@ std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options)
         for (const int v : worst) {
             if (v < 0)
                 continue;
-            any |= joinToSeam(graph, cost, v, onSeam, cut);
+            any |= joinToSeam(graph, paths, v, onSeam, cut);
         }
         mirrorCuts(graph, cost, cut);
         if (!any)

@@ -17,6 +17,8 @@ struct SeedOptions
     int paths = 25;
     //! Least logarithm of 3D area over UV area at a vertex for which a path is added. The prototype's value.
     double shrinkage = 0.7;
+    //! Begin with the seams of clusterSeams(); empty: with none.
+    std::vector<double> mostSpread;
     bool joinBorders = false; //!< first join the borders of each chart by paths
     std::uint64_t seed = 1;   //!< of the random factors on the edge costs
     JobContext job;

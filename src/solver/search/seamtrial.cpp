@@ -354,7 +354,6 @@ double SeamTrial::relaxAnchored(int steps, bool guarded, const JobContext &job)
     return relaxCharts(anchored, steps, guarded, job);
 }
 
-//! \param which per chart: relax it
 double SeamTrial::relaxCharts(const std::vector<char> &which, int steps, bool guarded, const JobContext &job,
                               const MapSink &between)
 {

@@ -48,6 +48,9 @@ public:
     //! \param between called between the steps of large charts with the map as it is then, where valid
     //! \returns the energy gained
     double relaxAll(int steps, bool guarded, const JobContext &job = {}, const MapSink &between = {});
+    //! The same for some charts. \param which per chart
+    double relaxCharts(const std::vector<char> &which, int steps, bool guarded, const JobContext &job = {},
+                       const MapSink &between = {});
     //! The same for the charts that have anchors.
     double relaxAnchored(int steps, bool guarded, const JobContext &job = {});
     //! Puts the corner of a hard pin onto it and holds it there, unless that flips a triangle or makes charts
@@ -74,8 +77,6 @@ private:
     Pieces findPieces() const;
     void alignPieces(const std::vector<int> &close);
     double solve(const SeamChange &change, const TrialTerms &terms, double before, double costGain);
-    double relaxCharts(const std::vector<char> &which, int steps, bool guarded, const JobContext &job,
-                       const MapSink &between = {});
     void relaxChart(const std::vector<int> &triangles, int steps, bool guarded, const JobContext &job,
                     const MapSink &between);
     void keep();

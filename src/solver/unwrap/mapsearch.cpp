@@ -70,6 +70,11 @@ bool isComplicated(const MeshData &mesh, UnwrapQuality quality)
     return false;
 }
 
+//! Share of the area in rigid regions from which drafts do not start from clusters, which do not know them.
+constexpr double hardlyRigid = 0.1;
+//! Effort of a draft that starts from clusters. Measured: 300 moves and 5 squeezes in place of 25 and none
+//! shorten the seams of beetle by 34 %, of plane_holes by 6 %, for little time.
+const search::OptimizeEffort clusterEffort{1, {{0, 1}, {300, 1}}, 5, 0.5, 16};
 //! Share of the area in rigid regions from which nets are better first maps than few cuts. Chosen by hand.
 constexpr double mostlyRigid = 0.95;
 
@@ -112,6 +117,11 @@ private:
             best = bySearch({}, symmetry);
         if (mJob.stopped() || (best && isWithinBound(*best)))
             return best;
+        if (suitsClusters()) {
+            best = bySearch({}, nullptr, true);
+            if (mJob.stopped() || (best && isWithinBound(*best)))
+                return best;
+        }
         // Only the soup can start from existing UVs.
         if (mOptions.lambda)
             best = bySoup(mOptions.quality);
@@ -133,16 +143,28 @@ private:
         return best;
     }
 
+    //! True when a draft starts from clusters. Standard does not: from the soup it finds shorter seams.
+    bool suitsClusters() const
+    {
+        return mOptions.quality == UnwrapQuality::Draft && !mOptions.lambda &&
+               mSnapshot.settings.start != StartMode::ExistingUv && !mBefore && !mSnapshot.placesIslands() &&
+               !hasDecidedEdges() && isComplicated(*mSnapshot.mesh, mOptions.quality) &&
+               (!mSnapshot.rigid || mSnapshot.rigid->share < hardlyRigid);
+    }
+
     //! The best map of the seam search. \param other a further map to start from
+    //! \param clusters start from clusters alone
     std::optional<Candidate> bySearch(const std::optional<Candidate> &other,
-                                      const preference::MeshSymmetry *symmetry)
+                                      const preference::MeshSymmetry *symmetry, bool clusters = false)
     {
         search::OptimizeOptions search;
         search.maxDistortion = mOptions.maxDistortion;
         if (mOptions.lambda)
             search.mu = muOf(*mOptions.lambda);
         search.allowOverlaps = mOptions.allowOverlaps;
-        search.effort = effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
+        search.clusters = clusters;
+        search.effort =
+            clusters ? clusterEffort : effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
         search.seed = mSnapshot.settings.seed;
         search.job = mJob;
         const bool steers = !symmetry && hasDecidedEdges();
@@ -162,7 +184,7 @@ private:
             search.given.push_back(other->map);
         if (mBefore)
             search.given.push_back(mBefore->map());
-        if (!symmetry)
+        if (!symmetry && !clusters)
             startFromNets(search);
         search.improved = [&](const search::CutState &state) {
             mRanking.offer(measuresOf(state), [&] { return state.map(); });

@@ -8,7 +8,7 @@ namespace autocuts::unwrap {
 namespace {
 
 //! The thread rests for this many times as long as it has worked. Chosen by hand.
-constexpr int restShare = 3;
+constexpr int restShare = 10;
 constexpr double rounding = 1e-9;
 
 } // namespace

@@ -1,0 +1,114 @@
+// Shortest paths along the edges of a mesh.
+#pragma once
+
+#include "solver/search/seamgraph.h"
+
+#include <algorithm>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace autocuts::search {
+
+//! Where a path may run on a mirrored mesh: anywhere, on one side of the plane of symmetry (only its ends may
+//! lie on the plane), or within the plane.
+enum class Way { Any, OneSide, AlongPlane };
+
+//! True when a path that has reached vertex v may continue along edge e.
+inline bool mayTake(const SeamGraph &graph, Way way, int e, int v, bool isStart)
+{
+    if (graph.rule[e] == SeamGraph::Rule::NeverCut)
+        return false;
+    if (way == Way::Any)
+        return true;
+    const bool onPlane = graph.onPlane[graph.ends[e][0]] && graph.onPlane[graph.ends[e][1]];
+    if (way == Way::AlongPlane)
+        return onPlane;
+    return (isStart || !graph.onPlane[v]) && (onPlane || graph.mirror[e] != e);
+}
+
+//! Shortest paths over a graph, one search after another.
+class ShortestPaths
+{
+public:
+    ShortestPaths(const SeamGraph &graph, const std::vector<double> &cost)
+        : mGraph(graph), mCost(cost), mDistance(graph.vertexCount, -1), mVia(graph.vertexCount, -1)
+    {}
+
+    //! Finds the paths from the nearest of some vertices, along edges that are not joined by the user and
+    //! that a test lets pass. Ends at the first vertex at which a second test says so. \returns that vertex;
+    //! -1: none
+    template <typename MayPass, typename EndsAt>
+    int run(const std::vector<int> &from, Way way, MayPass mayPass, EndsAt endsAt)
+    {
+        for (const int v : mReached)
+            mDistance[v] = mVia[v] = -1;
+        mReached.clear();
+        using Entry = std::pair<double, int>;
+        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+        const auto reach = [&](int v, double there, int edge) {
+            if (mDistance[v] < 0)
+                mReached.push_back(v);
+            mDistance[v] = there;
+            mVia[v] = edge;
+            queue.emplace(there, v);
+        };
+        for (const int v : from)
+            reach(v, 0, -1);
+        while (!queue.empty()) {
+            const auto [d, v] = queue.top();
+            queue.pop();
+            if (d > mDistance[v])
+                continue;
+            if (endsAt(v))
+                return v;
+            for (const int e : mGraph.edgesAt(v)) {
+                if (!mayTake(mGraph, way, e, v, d == 0) || !mayPass(e))
+                    continue;
+                const int w = mGraph.farEnd(e, v);
+                const double there = d + mCost[e];
+                if (mDistance[w] < 0 || there < mDistance[w])
+                    reach(w, there, e);
+            }
+        }
+        return -1;
+    }
+    //! Finds all paths.
+    void run(const std::vector<int> &from, Way way = Way::Any)
+    {
+        run(
+            from, way, [](int) { return true; }, [](int) { return false; });
+    }
+
+    //! The vertices that can be reached, in ascending order.
+    std::vector<int> reached() const
+    {
+        std::vector<int> sorted = mReached;
+        std::sort(sorted.begin(), sorted.end());
+        return sorted;
+    }
+    //! Of the reached vertices, the one that is farthest away. \pre there is one
+    int farthest() const
+    {
+        return *std::max_element(mReached.begin(), mReached.end(), [this](int a, int b) {
+            return mDistance[a] != mDistance[b] ? mDistance[a] < mDistance[b] : a > b;
+        });
+    }
+    //! Cuts the path that ends at v. \returns its number of edges
+    int cutPath(int v, CutFlags &cut) const
+    {
+        int edges = 0;
+        for (; mVia[v] >= 0; v = mGraph.farEnd(mVia[v], v), ++edges)
+            cut[mVia[v]] = true;
+        return edges;
+    }
+
+private:
+    const SeamGraph &mGraph;
+    const std::vector<double> &mCost;
+    std::vector<double> mDistance; //!< per vertex; -1: not reached
+    std::vector<int> mVia;         //!< per vertex: the last edge of its path, -1 without one
+    std::vector<int> mReached;     //!< vertices
+};
+
+} // namespace autocuts::search
