@@ -266,7 +266,8 @@ private Q_SLOTS:
         QTest::newRow("batch")
             << u"batch"_s
             << words(
-                   u"-o --report --jobs --memory --file-limit --resume --retry --format --progress --dry-run"_s);
+                   u"-o --report --jobs --memory --file-limit --resume --retry --format --progress --dry-run "
+                   "--part --journal --elsewhere"_s);
         for (const QString &name : {u"replay"_s, u"sample"_s})
             QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
     }

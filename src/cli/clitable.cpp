@@ -348,6 +348,9 @@ Field<T> fieldOf(T ManyChoice::*member)
 std::vector<CliOption> batchOptions()
 {
     constexpr Group group = Group::Batching;
+    CliOption journal = text(group, {u"--journal"_s}, fieldOf(&ManyChoice::journal),
+                             u"folder for the journal, in place of that of the outputs"_s);
+    journal.value = u"DIR"_s;
     return {
         {group,
          {u"--report"_s},
@@ -404,6 +407,26 @@ std::vector<CliOption> batchOptions()
                u"how progress is said: for people, or a line of JSON for each file"_s),
         flag(group, u"--dry-run"_s, fieldOf(&ManyChoice::dryRun), true,
              u"only say which file would be written of which"_s),
+        {group,
+         {u"--part"_s},
+         u"K/N"_s,
+         u"do only the K-th of N parts of the files, for arrays of jobs; each part has a journal of its own "
+         "in the folder, and --resume without --part takes them all over"_s,
+         {},
+         [](CliOptions &options, const QString &value) -> Problem {
+             static const QRegularExpression form(u"^(\\d{1,6})/(\\d{1,6})$"_s);
+             const auto match = form.match(value);
+             const int part = match.captured(1).toInt(), parts = match.captured(2).toInt();
+             if (part < 1 || part > parts)
+                 return u"K/N with K from 1 to N"_s;
+             options.many->part = part;
+             options.many->parts = parts;
+             return std::nullopt;
+         }},
+        journal,
+        flag(group, u"--elsewhere"_s, fieldOf(&ManyChoice::elsewhere), true,
+             u"leave the work to the program that has started this one, such as autocuts.farm: say on "
+             "standard output what is to be done, and read from standard input what came of it"_s),
     };
 }
 
