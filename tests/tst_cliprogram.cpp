@@ -1,4 +1,5 @@
 // The program itself: exit codes, streams, signals, and everything that can be wrong with its files.
+#include "cli/progressline.h"
 #include "model/io/meshfile.h"
 #include "model/io/sessionlock.h"
 #include "model/samples/samples.h"
@@ -115,6 +116,42 @@ private Q_SLOTS:
             test::runProgram(program(), draft(in, at("q_uv.obj")) << QStringLiteral("--quiet"));
         QCOMPARE(quiet.code, 0);
         QCOMPARE(quiet.out + quiet.err, QString());
+    }
+
+    void progressForPrograms()
+    {
+        const QString in = file("j.obj", test::sheetObj(5));
+        const test::CliRun r =
+            test::runProgram(program(), draft(in, at("j_uv.obj")) << QStringLiteral("--progress=json"));
+        QCOMPARE(r.code, 0);
+        const QStringList lines = r.err.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+        QVERIFY(!lines.isEmpty());
+        for (const QString &line : lines) {
+            const QJsonObject event = QJsonDocument::fromJson(line.toUtf8()).object();
+            const double fraction = event.value(QLatin1String("fraction")).toDouble(-1);
+            QVERIFY2(fraction >= 0 && fraction <= 1, qPrintable(line));
+            QVERIFY(event.value(QLatin1String("stage")).isString());
+        }
+    }
+
+    //! In a file, progress is whole lines, and none of a job that ends soon.
+    void progressInAFile_data()
+    {
+        QTest::addColumn<int>("seldom");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("at once") << 0 << QStringLiteral("half\nall\n");
+        QTest::newRow("soon over") << 1'000'000 << QString();
+    }
+    void progressInAFile()
+    {
+        QFETCH(int, seldom);
+        QString said;
+        QTextStream err(&said);
+        ProgressLine line(ProgressStyle::Lines, err, seldom);
+        line.show(QStringLiteral("half"));
+        line.show(QStringLiteral("all"));
+        line.clear();
+        QTEST(said, "said");
     }
 
     void progressOnATerminal()

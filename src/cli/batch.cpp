@@ -53,12 +53,21 @@ QString statusWord(const StopSource &stop, bool boundMissed)
     return boundMissed ? QStringLiteral("bound_missed") : QStringLiteral("done");
 }
 
+ProgressStyle styleFor(const CliOptions &options, bool onTerminal)
+{
+    if (options.jsonProgress)
+        return ProgressStyle::Json;
+    if (options.quiet)
+        return ProgressStyle::None;
+    return onTerminal ? ProgressStyle::Line : ProgressStyle::Lines;
+}
+
 //! Runs one command.
 class Job final
 {
 public:
-    Job(const CliOptions &options, StopSource &stop, bool showProgress, QTextStream &out, QTextStream &err)
-        : mOptions(options), mStop(stop), mOut(out), mErr(err), mProgress(showProgress && !options.quiet, err)
+    Job(const CliOptions &options, StopSource &stop, bool onTerminal, QTextStream &out, QTextStream &err)
+        : mOptions(options), mStop(stop), mOut(out), mErr(err), mProgress(styleFor(options, onTerminal), err)
     {
         mClock.start();
     }
@@ -493,10 +502,10 @@ private:
 
 } // namespace
 
-int runCommand(const CliOptions &options, StopSource &stop, bool showProgress, QTextStream &out,
+int runCommand(const CliOptions &options, StopSource &stop, bool onTerminal, QTextStream &out,
                QTextStream &err)
 {
-    Job job(options, stop, showProgress, out, err);
+    Job job(options, stop, onTerminal, out, err);
     const auto failure = [&](const QString &what, const QString &remedy) {
         return job.fail({what, options.input, 0, remedy});
     };

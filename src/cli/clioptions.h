@@ -114,6 +114,7 @@ struct CliOptions
     Show show = Show::Model;
     int pictureSide = 256; //!< thumbnail: pixels along each side
     bool quiet = false;
+    bool jsonProgress = false;
     QString from;       //!< transfer: a mesh file or session; empty: the input
     QString fromUvSet;  //!< name, or number from 1, of a UV set of it; empty: the active one
     QString fromObject; //!< an object of it; empty: all

@@ -68,7 +68,7 @@ std::vector<CliOption> scopeOptions()
          u"change only a part of the model, the rest keeps its UVs, and check measures only that: "
          u"islands:3,5 (numbered as in the studio's "
          "island panel: from 1, in the order of their first faces), objects:NAME,.. or materials:NAME,.. "
-         "(NAME#2: the second of that name); "
+         "(NAME#2: the second of that name; wheel_*: all that begin so, ? is one letter); "
          "given several times, the parts add up"_s,
          {},
          readOnly},
@@ -402,9 +402,6 @@ std::vector<CliOption> batchOptions()
              options.many->format = match.captured(1);
              return std::nullopt;
          }},
-        choice(group, u"--progress"_s, fieldOf(&ManyChoice::jsonProgress),
-               {{u"text"_s, false}, {u"json"_s, true}},
-               u"how progress is said: for people, or a line of JSON for each file"_s),
         flag(group, u"--dry-run"_s, fieldOf(&ManyChoice::dryRun), true,
              u"only say which file would be written of which"_s),
         {group,
@@ -555,6 +552,11 @@ const std::vector<CliOption> &cliOptions()
                            "nothing"_s));
         all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,
                            u"no progress and no figures, only warnings and errors"_s));
+        all.push_back(choice(
+            Group::Everything, u"--progress"_s, fieldOf(&CliOptions::jsonProgress),
+            {{u"text"_s, false}, {u"json"_s, true}},
+            u"how progress is said on stderr: for people, which is a line every ten seconds where that is no "
+            "terminal, and one for each file of a batch; or as lines of JSON"_s));
         return all;
     }();
     return options;

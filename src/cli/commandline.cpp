@@ -257,7 +257,8 @@ private:
         note(*option, value);
         if (const std::optional<QString> expected = option->read(mOptions, value))
             return usageError(QStringLiteral("%1 takes %2, not \"%3\"").arg(name, *expected, value));
-        if (mOptions.many && option->group != OptionGroup::Batching && option->group != OptionGroup::Output)
+        if (mOptions.many && option->group != OptionGroup::Batching && option->group != OptionGroup::Output &&
+            name != QLatin1String("--progress"))
             mOptions.many->passed << (option->value.isEmpty() ? name : name + QLatin1Char('=') + value);
         return std::nullopt;
     }

@@ -24,7 +24,6 @@ struct ManyChoice
     int part = 0;         //!< from 1, of so many parts; 0: all files
     int parts = 0;
     bool elsewhere = false; //!< another program does the work
-    bool jsonProgress = false;
 };
 
 } // namespace autocuts

@@ -49,8 +49,9 @@ class BatchProgress final
 public:
     BatchProgress(const CliOptions &options, bool onTerminal, QTextStream &err,
                   const std::vector<FileTask> &tasks)
-        : mJson(options.many->jsonProgress), mLines(!options.quiet && !onTerminal), mErr(err),
-          mLine(onTerminal && !options.quiet && !mJson, err), mTotal(int(tasks.size()))
+        : mJson(options.jsonProgress), mLines(!options.quiet && !onTerminal), mErr(err),
+          mLine(onTerminal && !options.quiet && !mJson ? ProgressStyle::Line : ProgressStyle::None, err),
+          mTotal(int(tasks.size()))
     {
         for (const FileTask &task : tasks)
             mWeightLeft += weightOf(task);
