@@ -274,7 +274,8 @@ private Q_SLOTS:
     {
         QFETCH(QString, command);
         QFETCH(QStringList, names);
-        names << u"--preset"_s << u"--show-settings"_s << u"--quiet"_s << u"--progress"_s;
+        names << u"--preset"_s << u"--show-settings"_s << u"--quiet"_s << u"--input-format"_s
+              << u"--output-format"_s << u"--progress"_s;
         const auto row = std::find_if(cliCommands().begin(), cliCommands().end(),
                                       [&](const CliCommand &c) { return c.name == command; });
         QVERIFY(row != cliCommands().end());

@@ -118,6 +118,33 @@ private Q_SLOTS:
         QCOMPARE(quiet.out + quiet.err, QString());
     }
 
+    //! The same bytes as by files; figures stand in no one's way.
+    void standardStreams()
+    {
+        const QString in = file("stream.obj", test::sheetObj(5)), out = at("stream_uv.ply");
+        QCOMPARE(test::runProgram(program(), draft(in, out)).code, 0);
+        QProcess process;
+        process.start(program(), draft(QStringLiteral("-"), QStringLiteral("-"))
+                                     << QStringLiteral("--output-format=ply"));
+        process.write(test::sheetObj(5));
+        process.closeWriteChannel();
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), 0);
+        QCOMPARE(process.readAllStandardOutput(), test::readBytes(out));
+        QVERIFY(process.readAllStandardError().contains("seam_norm"));
+        // A broken model gives nothing.
+        process.start(program(), draft(QStringLiteral("-"), QStringLiteral("-")));
+        process.write("v 0 0\n");
+        process.closeWriteChannel();
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), 1);
+        QCOMPARE(process.readAllStandardOutput(), QByteArray());
+        const test::CliRun bake = test::runProgram(
+            program(), {QStringLiteral("bake"), out, QStringLiteral("-o"), QStringLiteral("-")});
+        QCOMPARE(bake.code, 2);
+        QVERIFY2(bake.err.contains(QLatin1String("need a folder")), qPrintable(bake.err));
+    }
+
     void progressForPrograms()
     {
         const QString in = file("j.obj", test::sheetObj(5));

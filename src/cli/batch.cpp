@@ -8,6 +8,7 @@
 #include "cli/mapreporting.h"
 #include "cli/outputcheck.h"
 #include "cli/progressline.h"
+#include "cli/standardstreams.h"
 #include "commands/replay.h"
 #include "model/io/instances.h"
 #include "model/io/meshfile.h"
@@ -502,10 +503,14 @@ private:
 
 } // namespace
 
-int runCommand(const CliOptions &options, StopSource &stop, bool onTerminal, QTextStream &out,
-               QTextStream &err)
+int runCommand(const CliOptions &given, StopSource &stop, bool onTerminal, QTextStream &out, QTextStream &err)
 {
-    Job job(options, stop, onTerminal, out, err);
+    CliOptions options = given;
+    StandardStreams streams;
+    const Result<Done> taken = streams.take(options);
+    Job job(options, stop, onTerminal, streams.hasOutput() ? err : out, err);
+    if (!taken)
+        return job.fail(taken.error());
     const auto failure = [&](const QString &what, const QString &remedy) {
         return job.fail({what, options.input, 0, remedy});
     };
@@ -514,7 +519,10 @@ int runCommand(const CliOptions &options, StopSource &stop, bool onTerminal, QTe
                        QStringLiteral("Close other programs or use a smaller model"));
     };
     try {
-        return job.run();
+        const int code = job.run();
+        if (const Result<Done> written = streams.give(); !written)
+            return job.fail(written.error());
+        return code;
     } catch (const std::bad_alloc &) {
         return noMemory();
     } catch (const std::system_error &) { // no room for another thread

@@ -345,6 +345,24 @@ Field<T> fieldOf(T ManyChoice::*member)
     };
 }
 
+//! An option for a suffix of files.
+CliOption suffixOption(Group group, const QString &name, const Field<QString> &field, const QString &meaning)
+{
+    return {group,
+            {name},
+            u"SUFFIX"_s,
+            meaning,
+            {},
+            [field](CliOptions &options, const QString &value) -> Problem {
+                static const QRegularExpression suffix(u"^\\.?([a-z0-9]+)$"_s);
+                const auto match = suffix.match(value.toLower());
+                if (!match.hasMatch())
+                    return u"a suffix such as glb"_s;
+                field(options) = match.captured(1);
+                return std::nullopt;
+            }};
+}
+
 std::vector<CliOption> batchOptions()
 {
     constexpr Group group = Group::Batching;
@@ -389,19 +407,8 @@ std::vector<CliOption> batchOptions()
              options.many->resume = options.many->retry = true;
              return std::nullopt;
          }},
-        {group,
-         {u"--format"_s},
-         u"SUFFIX"_s,
-         u"format of the outputs, for example glb; that of each input when not given"_s,
-         {},
-         [](CliOptions &options, const QString &value) -> Problem {
-             static const QRegularExpression suffix(u"^\\.?([a-z0-9]+)$"_s);
-             const auto match = suffix.match(value.toLower());
-             if (!match.hasMatch())
-                 return u"a suffix such as glb"_s;
-             options.many->format = match.captured(1);
-             return std::nullopt;
-         }},
+        suffixOption(group, u"--format"_s, fieldOf(&ManyChoice::format),
+                     u"format of the outputs, for example glb; that of each input when not given"_s),
         flag(group, u"--dry-run"_s, fieldOf(&ManyChoice::dryRun), true,
              u"only say which file would be written of which"_s),
         {group,
@@ -552,6 +559,14 @@ const std::vector<CliOption> &cliOptions()
                            "nothing"_s));
         all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,
                            u"no progress and no figures, only warnings and errors"_s));
+        all.push_back(
+            suffixOption(Group::Everything, u"--input-format"_s, fieldOf(&CliOptions::inputFormat),
+                         u"format of a model that comes by standard input, where - is given for the "
+                         "input; obj when not given. Files beside it are not found"_s));
+        all.push_back(suffixOption(Group::Everything, u"--output-format"_s,
+                                   fieldOf(&CliOptions::outputFormat),
+                                   u"format of what goes to standard output, where -o - is given: one file, "
+                                   "while the figures go to stderr; that of the input when not given"_s));
         all.push_back(choice(
             Group::Everything, u"--progress"_s, fieldOf(&CliOptions::jsonProgress),
             {{u"text"_s, false}, {u"json"_s, true}},
