@@ -265,8 +265,8 @@ private Q_SLOTS:
         QTest::newRow("thumbnail") << u"thumbnail"_s << QStringList{u"-o"_s, u"--size"_s, u"--show"_s};
         QTest::newRow("batch")
             << u"batch"_s
-            << words(
-                   u"-o --report --jobs --memory --file-limit --resume --retry --format --progress --dry-run"_s);
+            << words(u"-o --report --jobs --memory --file-limit --resume --retry --format --dry-run "
+                     "--part --journal --elsewhere"_s);
         for (const QString &name : {u"replay"_s, u"sample"_s})
             QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
     }
@@ -274,7 +274,8 @@ private Q_SLOTS:
     {
         QFETCH(QString, command);
         QFETCH(QStringList, names);
-        names << u"--preset"_s << u"--show-settings"_s << u"--quiet"_s;
+        names << u"--preset"_s << u"--show-settings"_s << u"--quiet"_s << u"--input-format"_s
+              << u"--output-format"_s << u"--progress"_s;
         const auto row = std::find_if(cliCommands().begin(), cliCommands().end(),
                                       [&](const CliCommand &c) { return c.name == command; });
         QVERIFY(row != cliCommands().end());

@@ -1,4 +1,5 @@
 // The program itself: exit codes, streams, signals, and everything that can be wrong with its files.
+#include "cli/progressline.h"
 #include "model/io/meshfile.h"
 #include "model/io/sessionlock.h"
 #include "model/samples/samples.h"
@@ -115,6 +116,69 @@ private Q_SLOTS:
             test::runProgram(program(), draft(in, at("q_uv.obj")) << QStringLiteral("--quiet"));
         QCOMPARE(quiet.code, 0);
         QCOMPARE(quiet.out + quiet.err, QString());
+    }
+
+    //! The same bytes as by files; figures stand in no one's way.
+    void standardStreams()
+    {
+        const QString in = file("stream.obj", test::sheetObj(5)), out = at("stream_uv.ply");
+        QCOMPARE(test::runProgram(program(), draft(in, out)).code, 0);
+        QProcess process;
+        process.start(program(), draft(QStringLiteral("-"), QStringLiteral("-"))
+                                     << QStringLiteral("--output-format=ply"));
+        process.write(test::sheetObj(5));
+        process.closeWriteChannel();
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), 0);
+        QCOMPARE(process.readAllStandardOutput(), test::readBytes(out));
+        QVERIFY(process.readAllStandardError().contains("seam_norm"));
+        // A broken model gives nothing.
+        process.start(program(), draft(QStringLiteral("-"), QStringLiteral("-")));
+        process.write("v 0 0\n");
+        process.closeWriteChannel();
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), 1);
+        QCOMPARE(process.readAllStandardOutput(), QByteArray());
+        const test::CliRun bake = test::runProgram(
+            program(), {QStringLiteral("bake"), out, QStringLiteral("-o"), QStringLiteral("-")});
+        QCOMPARE(bake.code, 2);
+        QVERIFY2(bake.err.contains(QLatin1String("need a folder")), qPrintable(bake.err));
+    }
+
+    void progressForPrograms()
+    {
+        const QString in = file("j.obj", test::sheetObj(5));
+        const test::CliRun r =
+            test::runProgram(program(), draft(in, at("j_uv.obj")) << QStringLiteral("--progress=json"));
+        QCOMPARE(r.code, 0);
+        const QStringList lines = r.err.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+        QVERIFY(!lines.isEmpty());
+        for (const QString &line : lines) {
+            const QJsonObject event = QJsonDocument::fromJson(line.toUtf8()).object();
+            const double fraction = event.value(QLatin1String("fraction")).toDouble(-1);
+            QVERIFY2(fraction >= 0 && fraction <= 1, qPrintable(line));
+            QVERIFY(event.value(QLatin1String("stage")).isString());
+        }
+    }
+
+    //! In a file, progress is whole lines, and none of a job that ends soon.
+    void progressInAFile_data()
+    {
+        QTest::addColumn<int>("seldom");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("at once") << 0 << QStringLiteral("half\nall\n");
+        QTest::newRow("soon over") << 1'000'000 << QString();
+    }
+    void progressInAFile()
+    {
+        QFETCH(int, seldom);
+        QString said;
+        QTextStream err(&said);
+        ProgressLine line(ProgressStyle::Lines, err, seldom);
+        line.show(QStringLiteral("half"));
+        line.show(QStringLiteral("all"));
+        line.clear();
+        QTEST(said, "said");
     }
 
     void progressOnATerminal()

@@ -79,6 +79,8 @@ private Q_SLOTS:
         QTest::newRow("cut off") << QStringList{u"--only=materials:red"_s, u"--border=free"_s} << u"024"_s;
         QTest::newRow("by name") << QStringList{u"--objects=roof"_s, u"--objects=left"_s} << u"0145"_s;
         QTest::newRow("everything") << QStringList{u"--only=materials:red,blue"_s} << u"012345"_s;
+        QTest::newRow("beginnings") << QStringList{u"--only=objects:r*"_s} << u"2345"_s;
+        QTest::newRow("any letter") << QStringList{u"--only=objects:r?of,?eft"_s} << u"0145"_s;
     }
     void packMovesOnlyTheScope()
     {

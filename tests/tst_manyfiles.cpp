@@ -272,6 +272,84 @@ private Q_SLOTS:
         QCOMPARE(Place::outputsIn(place.out()), Place::outputsIn(place.at(u"undisturbed"_s)));
     }
 
+    //! As an array of jobs does: each part by itself, then a batch that takes them over.
+    void partsAreTakenOver()
+    {
+        const Place place(7);
+        place.add(u"broken.obj"_s, "v 0 0\n");
+        QCOMPARE(place.run({}, u"whole"_s).code, 1);
+        QStringList said;
+        for (const QString &part : {u"1/3"_s, u"2/3"_s, u"3/3"_s})
+            said << place.run(u"--resume --part "_s + part).out;
+        QCOMPARE(said.join(QString()).count(u"failed: 1"_s), 1);
+        QCOMPARE(said.count(u"done: 3\n"_s) + said.count(u"done: 2\nfailed: 1\n"_s), 2);
+        QCOMPARE(said.count(u"done: 2\n"_s) + said.count(u"done: 1\nfailed: 1\n"_s), 1);
+        QCOMPARE(place.journal().size(), 0);
+        const test::CliRun run = place.run(u"--resume --progress json"_s);
+        QCOMPARE(run.err, QString()); // nothing was left to do
+        QCOMPARE(run.out, u"done: 7\nfailed: 1\n"_s);
+        QCOMPARE(place.journal().size(), 8);
+        QCOMPARE(Place::outputsIn(place.out()), Place::outputsIn(place.at(u"whole"_s)));
+        // A part that is done again replaces what had failed.
+        place.add(u"broken.obj"_s, test::sheetObj(4));
+        for (const QString &part : {u"1/3"_s, u"2/3"_s, u"3/3"_s})
+            QCOMPARE(place.run(u"--resume --part "_s + part).code, 0);
+        const test::CliRun again = place.run(u"--resume --progress json"_s);
+        QCOMPARE(again.err, QString());
+        QCOMPARE(again.out, u"done: 8\n"_s);
+        // From the beginning, the parts of before count no more.
+        QCOMPARE(place.run(u"--part 1/3"_s).code, 0);
+        QVERIFY(QFile::exists(place.out(u"autocuts-batch.2-of-3.jsonl"_s)));
+        QCOMPARE(place.run().code, 0);
+        QVERIFY(!QFile::exists(place.out(u"autocuts-batch.2-of-3.jsonl"_s)));
+    }
+
+    void partsAreNumbered_data()
+    {
+        QTest::addColumn<QString>("part");
+        for (const char *part : {"0/3", "4/3", "1", "1/0", "a/b"})
+            QTest::newRow(part) << QString::fromLatin1(part);
+    }
+    void partsAreNumbered()
+    {
+        QFETCH(QString, part);
+        const test::CliRun run = Place(1).run(u"--part "_s + part);
+        QCOMPARE(run.code, 2);
+        QVERIFY2(run.err.contains(u"K/N with K from 1 to N"_s), qPrintable(run.err));
+    }
+
+    //! A farm is told what to do and tells what came of it; what it has not told is still to be done.
+    void workIsDoneElsewhere()
+    {
+        const Place place(3);
+        QProcess process;
+        process.start(program(), place.arguments(u"--elsewhere --format ply"_s));
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY(process.canReadLine());
+        const QJsonDocument head = QJsonDocument::fromJson(process.readLine());
+        QCOMPARE(head[u"arguments"_s].toVariant().toStringList(),
+                 words(u"batch unwrap --quality=draft --pack-time=0 --format=ply"_s));
+        QCOMPARE(head[u"files"_s].toInt(), 3);
+        QTRY_VERIFY(process.canReadLine());
+        QCOMPARE(QJsonDocument::fromJson(process.readLine())[u"output"_s].toString(), u"001.ply"_s);
+        process.write(
+            "{\"output\": \"001.ply\", \"status\": \"failed\", \"message\": \"no luck\"}\n{\"output");
+        process.closeWriteChannel();
+        QVERIFY(process.waitForFinished());
+        QCOMPARE(process.exitCode(), 1);
+        QCOMPARE(place.lineOf(u"001.obj"_s)[u"message"_s].toString(), u"no luck"_s);
+        QCOMPARE(place.lineOf(u"001.obj"_s)[u"bytes"_s].toInt(), int(test::sheetObj(4).size()));
+        QCOMPARE(place.journal().size(), 1);
+    }
+
+    void theJournalMayLieElsewhere()
+    {
+        const Place place(2);
+        QCOMPARE(place.run(u"--journal "_s + place.at(u"notes"_s)).code, 0);
+        QCOMPARE(place.journal(u"notes"_s).size(), 2);
+        QVERIFY(!QFile::exists(place.out(u"autocuts-batch.jsonl"_s)));
+    }
+
     void onlyWhatHasChangedIsDoneAgain()
     {
         const Place place(3);

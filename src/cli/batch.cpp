@@ -8,6 +8,7 @@
 #include "cli/mapreporting.h"
 #include "cli/outputcheck.h"
 #include "cli/progressline.h"
+#include "cli/standardstreams.h"
 #include "commands/replay.h"
 #include "model/io/instances.h"
 #include "model/io/meshfile.h"
@@ -53,12 +54,21 @@ QString statusWord(const StopSource &stop, bool boundMissed)
     return boundMissed ? QStringLiteral("bound_missed") : QStringLiteral("done");
 }
 
+ProgressStyle styleFor(const CliOptions &options, bool onTerminal)
+{
+    if (options.jsonProgress)
+        return ProgressStyle::Json;
+    if (options.quiet)
+        return ProgressStyle::None;
+    return onTerminal ? ProgressStyle::Line : ProgressStyle::Lines;
+}
+
 //! Runs one command.
 class Job final
 {
 public:
-    Job(const CliOptions &options, StopSource &stop, bool showProgress, QTextStream &out, QTextStream &err)
-        : mOptions(options), mStop(stop), mOut(out), mErr(err), mProgress(showProgress && !options.quiet, err)
+    Job(const CliOptions &options, StopSource &stop, bool onTerminal, QTextStream &out, QTextStream &err)
+        : mOptions(options), mStop(stop), mOut(out), mErr(err), mProgress(styleFor(options, onTerminal), err)
     {
         mClock.start();
     }
@@ -493,10 +503,14 @@ private:
 
 } // namespace
 
-int runCommand(const CliOptions &options, StopSource &stop, bool showProgress, QTextStream &out,
-               QTextStream &err)
+int runCommand(const CliOptions &given, StopSource &stop, bool onTerminal, QTextStream &out, QTextStream &err)
 {
-    Job job(options, stop, showProgress, out, err);
+    CliOptions options = given;
+    StandardStreams streams;
+    const Result<Done> taken = streams.take(options);
+    Job job(options, stop, onTerminal, streams.hasOutput() ? err : out, err);
+    if (!taken)
+        return job.fail(taken.error());
     const auto failure = [&](const QString &what, const QString &remedy) {
         return job.fail({what, options.input, 0, remedy});
     };
@@ -505,7 +519,10 @@ int runCommand(const CliOptions &options, StopSource &stop, bool showProgress, Q
                        QStringLiteral("Close other programs or use a smaller model"));
     };
     try {
-        return job.run();
+        const int code = job.run();
+        if (const Result<Done> written = streams.give(); !written)
+            return job.fail(written.error());
+        return code;
     } catch (const std::bad_alloc &) {
         return noMemory();
     } catch (const std::system_error &) { // no room for another thread

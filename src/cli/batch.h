@@ -10,9 +10,9 @@ namespace autocuts {
 
 //! Runs one command. Results go to `out`, progress and messages to `err`. Only commands that take long
 //! (canBeStopped()) can be stopped; they then end early with the best result so far.
-//! \param showProgress false when err is not a terminal
+//! \param onTerminal whether err is a terminal
 //! \returns the exit code: 0 done (also at a time limit), 1 failed, 130 interrupted
-int runCommand(const CliOptions &options, StopSource &stop, bool showProgress, QTextStream &out,
+int runCommand(const CliOptions &options, StopSource &stop, bool onTerminal, QTextStream &out,
                QTextStream &err);
 
 } // namespace autocuts

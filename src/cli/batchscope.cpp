@@ -1,5 +1,7 @@
 #include "cli/batchscope.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -37,6 +39,28 @@ QString listed(const std::vector<QString> &names)
     return list.join(u", "_s);
 }
 
+//! Where a name is among names, or among those with numbers; else, where names are that match it as a
+//! pattern.
+std::vector<std::size_t> indicesOf(const QString &wanted, const std::vector<QString> &names,
+                                   const std::vector<QString> &own)
+{
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == wanted || own[i] == wanted)
+            found.push_back(i);
+    }
+    if (!found.empty())
+        return found;
+    const QString pattern =
+        QRegularExpression::escape(wanted).replace(u"\\*"_s, u".*"_s).replace(u"\\?"_s, u"."_s);
+    const QRegularExpression whole(QRegularExpression::anchoredPattern(pattern));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (whole.match(names[i]).hasMatch())
+            found.push_back(i);
+    }
+    return found;
+}
+
 //! Adds faces to a scope, by what they belong to.
 class ScopeMaker final
 {
@@ -46,22 +70,24 @@ public:
     {}
 
     //! \param kind "object" or "material" \param wanted a name that several have means all of them, one with
-    //! a number as of numbered() only that one \param numbers per face, indices into names
+    //! a number as of numbered() only that one, one with * or ? all that match \param numbers per face,
+    //! indices into names
     std::optional<Error> addNamed(const QString &kind, const QStringList &wanted,
                                   const std::vector<QString> &names, const std::vector<int> &numbers)
     {
         const std::vector<QString> own = numbered(names);
+        std::vector<bool> chosen(names.size(), false);
         for (const QString &name : wanted) {
-            if (std::ranges::find(names, name) == names.end() && std::ranges::find(own, name) == own.end()) {
+            const std::vector<std::size_t> found = indicesOf(name, names, own);
+            for (const std::size_t i : found)
+                chosen[i] = true;
+            if (found.empty()) {
                 const QString known = listed(own);
                 return problem(u"there is no %1 \"%2\""_s.arg(kind, name),
                                known.isEmpty() ? u"The file names no %1s"_s.arg(kind)
                                                : u"The file has the %1s: %2"_s.arg(kind, known));
             }
         }
-        std::vector<bool> chosen;
-        for (std::size_t i = 0; i < names.size(); ++i)
-            chosen.push_back(wanted.contains(names[i]) || wanted.contains(own[i]));
         add(numbers, chosen);
         return {};
     }

@@ -84,13 +84,15 @@ struct CliOptions
     Command command = Command::Help;
     //! Of a batch, what is done with each file; of a help that is asked for behind a command, that command.
     Command each = Command::Help;
-    std::optional<ManyChoice> many; //!< of a batch
-    QString input;                  //!< a file, or the name of a sample or a shell
-    QStringList given;              //!< the names of the given options, -o for --output
-    QString preset;                 //!< its name or path; read before the other options
-    bool showSettings = false;      //!< print the settings in place of the work
-    QString settingsText;           //!< these settings, in the form of a preset
-    QString output;                 //!< -o
+    std::optional<ManyChoice> many;              //!< of a batch
+    QString input;                               //!< a file, or the name of a sample or a shell
+    QStringList given;                           //!< the names of the given options, -o for --output
+    QString preset;                              //!< its name or path; read before the other options
+    bool showSettings = false;                   //!< print the settings in place of the work
+    QString settingsText;                        //!< these settings, in the form of a preset
+    QString output;                              //!< -o
+    QString inputFormat = QStringLiteral("obj"); //!< suffix of a model that comes by standard input
+    QString outputFormat; //!< of one that goes to standard output; empty: that of the input
     SolveSettings settings;
     unwrap::UnwrapOptions unwrap; //!< its packing target is that of --tile or --into
     Only only;
@@ -114,6 +116,7 @@ struct CliOptions
     Show show = Show::Model;
     int pictureSide = 256; //!< thumbnail: pixels along each side
     bool quiet = false;
+    bool jsonProgress = false;
     QString from;       //!< transfer: a mesh file or session; empty: the input
     QString fromUvSet;  //!< name, or number from 1, of a UV set of it; empty: the active one
     QString fromObject; //!< an object of it; empty: all

@@ -68,7 +68,7 @@ std::vector<CliOption> scopeOptions()
          u"change only a part of the model, the rest keeps its UVs, and check measures only that: "
          u"islands:3,5 (numbered as in the studio's "
          "island panel: from 1, in the order of their first faces), objects:NAME,.. or materials:NAME,.. "
-         "(NAME#2: the second of that name); "
+         "(NAME#2: the second of that name; wheel_*: all that begin so, ? is one letter); "
          "given several times, the parts add up"_s,
          {},
          readOnly},
@@ -345,9 +345,30 @@ Field<T> fieldOf(T ManyChoice::*member)
     };
 }
 
+//! An option for a suffix of files.
+CliOption suffixOption(Group group, const QString &name, const Field<QString> &field, const QString &meaning)
+{
+    return {group,
+            {name},
+            u"SUFFIX"_s,
+            meaning,
+            {},
+            [field](CliOptions &options, const QString &value) -> Problem {
+                static const QRegularExpression suffix(u"^\\.?([a-z0-9]+)$"_s);
+                const auto match = suffix.match(value.toLower());
+                if (!match.hasMatch())
+                    return u"a suffix such as glb"_s;
+                field(options) = match.captured(1);
+                return std::nullopt;
+            }};
+}
+
 std::vector<CliOption> batchOptions()
 {
     constexpr Group group = Group::Batching;
+    CliOption journal = text(group, {u"--journal"_s}, fieldOf(&ManyChoice::journal),
+                             u"folder for the journal, in place of that of the outputs"_s);
+    journal.value = u"DIR"_s;
     return {
         {group,
          {u"--report"_s},
@@ -386,24 +407,30 @@ std::vector<CliOption> batchOptions()
              options.many->resume = options.many->retry = true;
              return std::nullopt;
          }},
-        {group,
-         {u"--format"_s},
-         u"SUFFIX"_s,
-         u"format of the outputs, for example glb; that of each input when not given"_s,
-         {},
-         [](CliOptions &options, const QString &value) -> Problem {
-             static const QRegularExpression suffix(u"^\\.?([a-z0-9]+)$"_s);
-             const auto match = suffix.match(value.toLower());
-             if (!match.hasMatch())
-                 return u"a suffix such as glb"_s;
-             options.many->format = match.captured(1);
-             return std::nullopt;
-         }},
-        choice(group, u"--progress"_s, fieldOf(&ManyChoice::jsonProgress),
-               {{u"text"_s, false}, {u"json"_s, true}},
-               u"how progress is said: for people, or a line of JSON for each file"_s),
+        suffixOption(group, u"--format"_s, fieldOf(&ManyChoice::format),
+                     u"format of the outputs, for example glb; that of each input when not given"_s),
         flag(group, u"--dry-run"_s, fieldOf(&ManyChoice::dryRun), true,
              u"only say which file would be written of which"_s),
+        {group,
+         {u"--part"_s},
+         u"K/N"_s,
+         u"do only the K-th of N parts of the files, for arrays of jobs; each part has a journal of its own "
+         "in the folder, and --resume without --part takes them all over"_s,
+         {},
+         [](CliOptions &options, const QString &value) -> Problem {
+             static const QRegularExpression form(u"^(\\d{1,6})/(\\d{1,6})$"_s);
+             const auto match = form.match(value);
+             const int part = match.captured(1).toInt(), parts = match.captured(2).toInt();
+             if (part < 1 || part > parts)
+                 return u"K/N with K from 1 to N"_s;
+             options.many->part = part;
+             options.many->parts = parts;
+             return std::nullopt;
+         }},
+        journal,
+        flag(group, u"--elsewhere"_s, fieldOf(&ManyChoice::elsewhere), true,
+             u"leave the work to the program that has started this one, such as autocuts.farm: say on "
+             "standard output what is to be done, and read from standard input what came of it"_s),
     };
 }
 
@@ -532,6 +559,19 @@ const std::vector<CliOption> &cliOptions()
                            "nothing"_s));
         all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,
                            u"no progress and no figures, only warnings and errors"_s));
+        all.push_back(
+            suffixOption(Group::Everything, u"--input-format"_s, fieldOf(&CliOptions::inputFormat),
+                         u"format of a model that comes by standard input, where - is given for the "
+                         "input; obj when not given. Files beside it are not found"_s));
+        all.push_back(suffixOption(Group::Everything, u"--output-format"_s,
+                                   fieldOf(&CliOptions::outputFormat),
+                                   u"format of what goes to standard output, where -o - is given: one file, "
+                                   "while the figures go to stderr; that of the input when not given"_s));
+        all.push_back(choice(
+            Group::Everything, u"--progress"_s, fieldOf(&CliOptions::jsonProgress),
+            {{u"text"_s, false}, {u"json"_s, true}},
+            u"how progress is said on stderr: for people, which is a line every ten seconds where that is no "
+            "terminal, and one for each file of a batch; or as lines of JSON"_s));
         return all;
     }();
     return options;

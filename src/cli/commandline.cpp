@@ -257,7 +257,8 @@ private:
         note(*option, value);
         if (const std::optional<QString> expected = option->read(mOptions, value))
             return usageError(QStringLiteral("%1 takes %2, not \"%3\"").arg(name, *expected, value));
-        if (mOptions.many && option->group != OptionGroup::Batching && option->group != OptionGroup::Output)
+        if (mOptions.many && option->group != OptionGroup::Batching && option->group != OptionGroup::Output &&
+            name != QLatin1String("--progress"))
             mOptions.many->passed << (option->value.isEmpty() ? name : name + QLatin1Char('=') + value);
         return std::nullopt;
     }
@@ -272,6 +273,11 @@ private:
             return usageError(QStringLiteral("no output folder given (-o DIR)"));
         if (command.output == CliCommand::Output::Needed && mOptions.output.isEmpty())
             return usageError(QStringLiteral("no output file given (-o FILE)"));
+        const bool makesFiles = mOptions.command == Command::Bake || !mOptions.textures.isEmpty();
+        if (mOptions.output == QLatin1String("-") && (mOptions.many || makesFiles))
+            return usageError(QStringLiteral("several files are made, which need a folder in place of -"));
+        if (mOptions.many && mOptions.many->inputs.contains(QLatin1String("-")))
+            return usageError(QStringLiteral("a batch reads files, not standard input"));
         if (mOptions.many && !mOptions.layout.isEmpty())
             return usageError(
                 QStringLiteral("--layout names one file; the .html report of a batch has pictures"));

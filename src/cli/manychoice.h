@@ -20,7 +20,10 @@ struct ManyChoice
     bool resume = false;  //!< go on where the journal in the folder ends
     bool retry = false;   //!< the same, and do again what failed
     bool dryRun = false;  //!< only say what would be done
-    bool jsonProgress = false;
+    QString journal;      //!< folder of the journal; empty: that of the outputs
+    int part = 0;         //!< from 1, of so many parts; 0: all files
+    int parts = 0;
+    bool elsewhere = false; //!< another program does the work
 };
 
 } // namespace autocuts

@@ -1,5 +1,8 @@
 #include "cli/progressline.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
+
 namespace autocuts {
 
 namespace {
@@ -9,19 +12,42 @@ constexpr int leastMilliseconds = 100;
 
 } // namespace
 
-void ProgressLine::show(const QString &text)
+bool ProgressLine::isDue()
 {
-    if (!mShow || (mWritten && mSince.elapsed() < leastMilliseconds))
-        return;
-    mErr << '\r' << text.left(lineWidth).leftJustified(lineWidth) << Qt::flush;
+    const bool waits = mWritten || mStyle == ProgressStyle::Lines;
+    const int least = mStyle == ProgressStyle::Lines ? mSeldom : leastMilliseconds;
+    if (mStyle == ProgressStyle::None || (waits && mSince.elapsed() < least))
+        return false;
     mWritten = true;
     mSince.restart();
+    return true;
+}
+
+void ProgressLine::show(const QString &text)
+{
+    if (!isDue())
+        return;
+    if (mStyle == ProgressStyle::Lines)
+        mErr << text << Qt::endl;
+    else
+        mErr << '\r' << text.left(lineWidth).leftJustified(lineWidth) << Qt::flush;
 }
 
 void ProgressLine::show(const JobProgress &progress)
 {
     const QString stage =
         progress.stage == JobStage::Packing ? QStringLiteral("packing") : QStringLiteral("optimising");
+    if (mStyle == ProgressStyle::Json) {
+        if (!isDue())
+            return;
+        QJsonObject event{{QStringLiteral("stage"), stage}, {QStringLiteral("fraction"), progress.fraction}};
+        if (progress.distortion > 0) {
+            event.insert(QStringLiteral("distortion"), progress.distortion);
+            event.insert(QStringLiteral("seam_length"), progress.seamLength);
+        }
+        mErr << QString::fromUtf8(QJsonDocument(event).toJson(QJsonDocument::Compact)) << Qt::endl;
+        return;
+    }
     QString text = QStringLiteral("%1 %2 %").arg(stage).arg(100 * progress.fraction, 3, 'f', 0);
     if (progress.distortion > 0)
         text += QStringLiteral("   distortion %1   seams %2")
@@ -32,7 +58,7 @@ void ProgressLine::show(const JobProgress &progress)
 
 void ProgressLine::clear()
 {
-    if (mWritten)
+    if (mStyle == ProgressStyle::Line && mWritten)
         mErr << '\r' << QString(lineWidth, QLatin1Char(' ')) << '\r' << Qt::flush;
     mWritten = false;
 }

@@ -1,4 +1,4 @@
-// Shows progress on a terminal.
+// Says on stderr how far a job is.
 #pragma once
 
 #include "solver/base/jobcontext.h"
@@ -9,24 +9,35 @@
 
 namespace autocuts {
 
-//! One line on a terminal that is overwritten with the current progress, at most ten times a second.
+//! How progress is said: not at all, by one line of a terminal that changes, by a line now and then, as where
+//! it goes to a file, or by lines of JSON for programs.
+enum class ProgressStyle { None, Line, Lines, Json };
+
+//! Says progress: at most ten times a second, in Lines every ten seconds.
 class ProgressLine final
 {
 public:
-    //! \param show false: nothing is written
-    ProgressLine(bool show, QTextStream &err) : mShow(show), mErr(err) { mSince.start(); }
+    //! \param seldom milliseconds between lines of Lines, and before the first
+    ProgressLine(ProgressStyle style, QTextStream &err, int seldom = 10'000)
+        : mStyle(style), mErr(err), mSeldom(seldom)
+    {
+        mSince.start();
+    }
     ~ProgressLine() { clear(); }
     ProgressLine(const ProgressLine &) = delete;
     ProgressLine &operator=(const ProgressLine &) = delete;
 
     void show(const QString &text);
     void show(const JobProgress &progress);
-    //! Erases the line, so that other text can be written.
+    //! Erases the line of a terminal, so that other text can be written.
     void clear();
 
 private:
-    bool mShow;
+    bool isDue();
+
+    ProgressStyle mStyle;
     QTextStream &mErr;
+    int mSeldom;
     QElapsedTimer mSince;
     bool mWritten = false;
 };

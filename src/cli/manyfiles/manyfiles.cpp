@@ -5,8 +5,10 @@
 #include "cli/progressline.h"
 #include "model/io/savefile.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QLockFile>
 #include <QThread>
@@ -47,8 +49,9 @@ class BatchProgress final
 public:
     BatchProgress(const CliOptions &options, bool onTerminal, QTextStream &err,
                   const std::vector<FileTask> &tasks)
-        : mJson(options.many->jsonProgress), mLines(!options.quiet && !onTerminal), mErr(err),
-          mLine(onTerminal && !options.quiet && !mJson, err), mTotal(int(tasks.size()))
+        : mJson(options.jsonProgress), mLines(!options.quiet && !onTerminal), mErr(err),
+          mLine(onTerminal && !options.quiet && !mJson ? ProgressStyle::Line : ProgressStyle::None, err),
+          mTotal(int(tasks.size()))
     {
         for (const FileTask &task : tasks)
             mWeightLeft += weightOf(task);
@@ -106,7 +109,8 @@ class Batch final
 public:
     Batch(const CliOptions &options, StopSource &stop, bool onTerminal, QTextStream &out, QTextStream &err)
         : mOptions(options), mChoice(*options.many), mStop(stop), mOnTerminal(onTerminal), mOut(out),
-          mErr(err), mJournal(options.output)
+          mErr(err), mNotes(mChoice.journal.isEmpty() ? options.output : mChoice.journal),
+          mPictures(QDir(mNotes).filePath(u".autocuts-batch"_s)), mJournal(mChoice, mNotes)
     {}
 
     int run()
@@ -114,15 +118,20 @@ public:
         const auto tasks = fileTasks(mChoice, mOptions.output);
         if (!tasks)
             return fail(tasks.error());
-        mTasks = tasks.value();
+        for (std::size_t i = 0; i < tasks.value().size(); ++i) {
+            if (mChoice.parts == 0 || int(i % std::size_t(mChoice.parts)) == mChoice.part - 1)
+                mTasks.push_back(tasks.value()[i]);
+        }
         if (mChoice.dryRun)
             return sayPlan();
-        if (!QDir().mkpath(mOptions.output))
-            return fail({u"the folder cannot be made"_s, mOptions.output, 0, u"Check the permissions"_s});
-        QLockFile lock(QDir(mOptions.output).filePath(u".autocuts-batch.lock"_s));
+        for (const QString &folder : {mOptions.output, mNotes}) {
+            if (!QDir().mkpath(folder))
+                return fail({u"the folder cannot be made"_s, folder, 0, u"Check the permissions"_s});
+        }
+        QLockFile lock(QDir(mNotes).filePath(u'.' + RunJournal::nameFor(mChoice) + u".lock"_s));
         lock.setStaleLockTime(0);
         if (!lock.tryLock())
-            return fail({u"another batch works in this folder"_s, mOptions.output, 0, u"Wait for it"_s});
+            return fail({u"another batch works in this folder"_s, mNotes, 0, u"Wait for it"_s});
         if (const Result<Done> begun = begin(); !begun)
             return fail(begun.error());
         const Result<Done> worked = work();
@@ -156,6 +165,22 @@ private:
         if (!known)
             return known.error();
         mKnown = known.value();
+        return mChoice.parts == 0 ? takeOverParts() : Done{};
+    }
+
+    //! Adds to the journal what those of the parts know better.
+    Result<Done> takeOverParts()
+    {
+        for (const auto &[output, result] : mJournal.ofParts(mChoice)) {
+            const auto found = mKnown.find(output);
+            const bool isNews = found == mKnown.end() || found->second.task.modified < result.task.modified ||
+                                (!found->second.succeeded() && result.succeeded());
+            if (!isNews)
+                continue;
+            if (const Result<Done> added = mJournal.add(result); !added)
+                return added;
+            mKnown[output] = result;
+        }
         return Done{};
     }
 
@@ -187,20 +212,70 @@ private:
         std::vector<FileTask> waiting;
         std::copy_if(mTasks.begin(), mTasks.end(), std::back_inserter(waiting),
                      [this](const FileTask &task) { return !isKnown(task); });
-        const bool draws = mChoice.report.endsWith(u".html"_s);
-        mPictures = QDir(mOptions.output).filePath(u".autocuts-batch"_s);
-        if (draws && !QDir().mkpath(mPictures))
+        if (draws() && !QDir().mkpath(mPictures))
             return Error{u"the folder cannot be made"_s, mPictures, 0, u"Check the permissions"_s};
-        FileRunner runner(mChoice, mOptions.output, draws ? mPictures : QString(), limits());
         BatchProgress progress(mOptions, mOnTerminal, mErr, waiting);
+        if (mChoice.elsewhere)
+            return workElsewhere(waiting, progress);
+        FileRunner runner(mChoice, mOptions.output, draws() ? mPictures : QString(), limits());
         Result<Done> noted = Done{};
         runner.run(waiting, mStop.stop, [&](const FileResult &result) {
-            noted = mJournal.add(result);
-            mKnown[result.task.output] = result;
-            progress.add(result);
+            noted = note(result, progress);
             return noted.ok();
         });
         return noted;
+    }
+
+    bool draws() const { return mChoice.report.endsWith(u".html"_s); }
+
+    Result<Done> note(const FileResult &result, BatchProgress &progress)
+    {
+        mKnown[result.task.output] = result;
+        progress.add(result);
+        return mJournal.add(result);
+    }
+
+    void say(const QJsonObject &line)
+    {
+        mOut << QString::fromUtf8(QJsonDocument(line).toJson(QJsonDocument::Compact)) << '\n';
+    }
+
+    //! Says what is to be done: first how, then a line for each file. Then reads lines of the journals of
+    //! those who have done it, until there are no more.
+    Result<Done> workElsewhere(const std::vector<FileTask> &waiting, BatchProgress &progress)
+    {
+        QStringList arguments = QStringList{u"batch"_s, mChoice.command} + mChoice.passed;
+        if (!mChoice.format.isEmpty())
+            arguments << u"--format=%1"_s.arg(mChoice.format);
+        if (mChoice.fileLimit > 0)
+            arguments << u"--file-limit=%1"_s.arg(mChoice.fileLimit);
+        say({{u"autocuts"_s, QCoreApplication::applicationVersion()},
+             {u"arguments"_s, QJsonArray::fromStringList(arguments)},
+             {u"folder"_s, mOptions.output},
+             {u"pictures"_s, draws() ? mPictures : QString()},
+             {u"files"_s, qint64(waiting.size())}});
+        std::map<QString, FileTask> tasks;
+        for (const FileTask &task : waiting) {
+            tasks[task.output] = task;
+            say({{u"input"_s, task.input},
+                 {u"output"_s, task.output},
+                 {u"memory"_s, expectedMemory(task)},
+                 {u"picture"_s, FileRunner::pictureName(task)}});
+        }
+        mOut << Qt::flush;
+        QFile input;
+        if (!input.open(stdin, QIODevice::ReadOnly))
+            return Error{input.errorString(), u"standard input"_s, 0, {}};
+        for (QByteArray line = input.readLine(); line.endsWith('\n'); line = input.readLine()) {
+            FileResult result = FileResult::fromJson(QJsonDocument::fromJson(line).object());
+            const auto task = tasks.find(result.task.output);
+            if (task == tasks.end())
+                return Error{u"a line is about no file that is to be done"_s, u"standard input"_s, 0, {}};
+            result.task = task->second;
+            if (const Result<Done> noted = note(result, progress); !noted)
+                return noted;
+        }
+        return Done{};
     }
 
     //! The results of the files that were named.
@@ -245,10 +320,10 @@ private:
     bool mOnTerminal;
     QTextStream &mOut;
     QTextStream &mErr;
+    QString mNotes, mPictures; //!< the folder of the journal, and the one of pictures there
     RunJournal mJournal;
     std::vector<FileTask> mTasks;
     FileResults mKnown;
-    QString mPictures;
 };
 
 } // namespace

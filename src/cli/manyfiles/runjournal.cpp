@@ -88,10 +88,37 @@ bool FileResult::isOf(const FileTask &other) const
     return task.input == other.input && task.bytes == other.bytes && task.modified == other.modified;
 }
 
-RunJournal::RunJournal(const QString &folder)
-    : mPath(QDir(folder).filePath(u"autocuts-batch.jsonl"_s)),
-      mBefore(QDir(folder).filePath(u"autocuts-batch.before.jsonl"_s)), mFile(mPath)
+RunJournal::RunJournal(const ManyChoice &choice, const QString &folder)
+    : mFolder(folder), mPath(QDir(folder).filePath(nameFor(choice) + u".jsonl"_s)),
+      mBefore(QDir(folder).filePath(nameFor(choice) + u".before.jsonl"_s)), mFile(mPath)
 {}
+
+QString RunJournal::nameFor(const ManyChoice &choice)
+{
+    const QString all = u"autocuts-batch"_s;
+    return choice.parts == 0 ? all : u"%1.%2-of-%3"_s.arg(all).arg(choice.part).arg(choice.parts);
+}
+
+QStringList RunJournal::partPaths() const
+{
+    QStringList paths;
+    for (const QString &name : QDir(mFolder).entryList({u"autocuts-batch.*-of-*.jsonl"_s}, QDir::Files)) {
+        if (!name.contains(u".before."_s))
+            paths << QDir(mFolder).filePath(name);
+    }
+    return paths;
+}
+
+FileResults RunJournal::ofParts(const ManyChoice &choice) const
+{
+    FileResults results;
+    for (const QString &path : partPaths()) {
+        Lines lines(path);
+        if (lines.head == headOf(choice))
+            results.merge(lines.results);
+    }
+    return results;
+}
 
 Result<Done> RunJournal::begin(const ManyChoice &choice)
 {
@@ -99,6 +126,15 @@ Result<Done> RunJournal::begin(const ManyChoice &choice)
         QFile::remove(mBefore);
         QFile::rename(mPath, mBefore);
     }
+    if (choice.parts == 0) {
+        for (const QString &path : partPaths())
+            QFile::remove(path);
+    }
+    return writeHead(choice);
+}
+
+Result<Done> RunJournal::writeHead(const ManyChoice &choice)
+{
     const QByteArray head = QJsonDocument(headOf(choice)).toJson(QJsonDocument::Compact) + '\n';
     if (!mFile.open(QIODevice::WriteOnly) || mFile.write(head) != head.size() || !mFile.flush())
         return Error{u"the journal cannot be written: %1"_s.arg(mFile.errorString()), mPath, 0,
@@ -110,7 +146,7 @@ Result<FileResults> RunJournal::resume(const ManyChoice &choice)
 {
     const Lines lines(mPath);
     if (!lines.head) {
-        if (Result<Done> begun = begin(choice); !begun)
+        if (Result<Done> begun = writeHead(choice); !begun)
             return begun.error();
         return FileResults{};
     }

@@ -36,9 +36,10 @@ using FileResults = std::map<QString, FileResult>;
 class RunJournal final
 {
 public:
-    explicit RunJournal(const QString &folder);
+    //! The journal of all files, or of the part that is chosen.
+    RunJournal(const ManyChoice &choice, const QString &folder);
 
-    //! Begins a new one; the one before is kept for comparison.
+    //! Begins a new one; the one before is kept for comparison, those of the parts are not.
     Result<Done> begin(const ManyChoice &choice);
     //! Reads what there is, and goes on behind it; begins a new one where there is none. An Error when it is
     //! that of another command, or of other options.
@@ -47,9 +48,16 @@ public:
     Result<Done> add(const FileResult &result);
     //! The results of the run before.
     FileResults before() const;
+    //! What the journals of the parts say that were done with the same command and options.
+    FileResults ofParts(const ManyChoice &choice) const;
+    //! The name of the journal without its suffix.
+    static QString nameFor(const ManyChoice &choice);
 
 private:
-    QString mPath, mBefore;
+    QStringList partPaths() const;
+    Result<Done> writeHead(const ManyChoice &choice);
+
+    QString mFolder, mPath, mBefore;
     QFile mFile;
 };
 
