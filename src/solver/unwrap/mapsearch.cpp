@@ -143,10 +143,12 @@ private:
         return best;
     }
 
-    //! True when a draft starts from clusters. Standard does not: from the soup it finds shorter seams.
+    //! True when a draft starts from clusters. Drafts of small meshes do not: from the soup they find shorter
+    //! seams, on torus_with_holes by 21 % in the same time. Standard has not been measured.
     bool suitsClusters() const
     {
         return mOptions.quality == UnwrapQuality::Draft && !mOptions.lambda &&
+               mSnapshot.mesh->triangleCount() > fullEffortTriangles &&
                mSnapshot.settings.start != StartMode::ExistingUv && !mBefore && !mSnapshot.placesIslands() &&
                !hasDecidedEdges() && isComplicated(*mSnapshot.mesh, mOptions.quality) &&
                (!mSnapshot.rigid || mSnapshot.rigid->share < hardlyRigid);
