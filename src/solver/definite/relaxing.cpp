@@ -18,6 +18,8 @@ constexpr double barrierReach = 0.1;
 //! Weight of one contact relative to that of a mean triangle. Chosen by hand; no measurement of its effect is
 //! recorded.
 constexpr double barrierWeight = 0.05;
+//! Least relative change of the energy. Chosen by hand; no measurement of its effect is recorded.
+constexpr double stall = 1e-6;
 
 } // namespace
 
@@ -29,7 +31,7 @@ bool coversItself(const Soup &soup, const SeamedMap &map)
 }
 
 int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
-                         int steps, const JobContext &job)
+                         int steps, const JobContext &job, double leastGain)
 {
     const CutMesh state(*soup->mesh, map.cut);
     const auto distortion = energy::makeDistortionTerm(soup, snapshot.settings.energy);
@@ -45,7 +47,7 @@ int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot
     while (done < steps && !job.stopped()) {
         const newton::Minimizer::Step step = minimizer.step(map.x);
         ++done;
-        if (hasSettled(step))
+        if (step.before - step.after <= stall * std::abs(step.before) || hasSettled(step, leastGain))
             break;
     }
     return done;

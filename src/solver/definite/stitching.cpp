@@ -26,13 +26,8 @@ constexpr double springDelta = 1e6;
 constexpr double firstSpring = 0.3;
 constexpr int springLevels = 5; // stiffness 0.3, 3, ... 3000; ladder and steps from the prototype
 constexpr int stepsPerSpring = 4;
-//! Least relative change of the energy in a Newton step. Chosen by hand; no measurement of its effect is
-//! recorded.
-constexpr double leastChange = 1e-7;
-//! The same as a share of what the energy is above that of an isometry. Measured on a noisy shape of 86,000
-//! triangles: its map is relaxed in 5 free and 20 guarded steps in place of 13 and 30, and ends at a
-//! distortion of 4.0911 in place of 4.0907.
-constexpr double leastGain = 1e-3;
+//! Least relative change of the energy. Chosen by hand; no measurement of its effect is recorded.
+constexpr double stall = 1e-7;
 constexpr double isometry = 4;
 
 //! The coordinates with the corners of each UV vertex at their mean.
@@ -188,10 +183,9 @@ void layOut(const Soup &soup, const std::vector<int> &bad, Snapshot &snapshot, s
 
 } // namespace
 
-bool hasSettled(const newton::Minimizer::Step &step)
+bool hasSettled(const newton::Minimizer::Step &step, double leastGain)
 {
-    const double gained = step.before - step.after;
-    return gained <= std::max(leastChange * std::abs(step.before), leastGain * (step.before - isometry));
+    return step.before - step.after <= leastGain * (step.before - isometry);
 }
 
 SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &given, CutFlags cut,
@@ -241,7 +235,7 @@ SeamedMap stitchSoup(const std::shared_ptr<const Soup> &soup, const Snapshot &sn
 }
 
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
-             const JobContext &job, const std::function<void(int)> &stepped)
+             const JobContext &job, const std::function<void(int)> &stepped, double leastGain)
 {
     if (job.stopped())
         return 0;
@@ -256,7 +250,7 @@ int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, 
         ++done;
         if (stepped)
             stepped(done);
-        if (hasSettled(step))
+        if (step.before - step.after <= stall * std::abs(step.before) || hasSettled(step, leastGain))
             break;
     }
     return done;

@@ -27,11 +27,12 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
 //! Minimises the distortion, with pins, while the seams stay as they are. Ends after `steps`
 //! Newton steps or when the energy stalls.
 //! \param stepped called after each step with their number; may be empty
+//! \param leastGain see hasSettled()
 //! \return the number of steps
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
-             const JobContext &job = {}, const std::function<void(int)> &stepped = {});
+             const JobContext &job = {}, const std::function<void(int)> &stepped = {}, double leastGain = 0);
 
-//! True when a Newton step has gained so little that further ones are not worth their time.
-bool hasSettled(const newton::Minimizer::Step &step);
+//! True when a Newton step has gained less than a share of what the energy is above that of an isometry.
+bool hasSettled(const newton::Minimizer::Step &step, double leastGain);
 
 } // namespace autocuts::definite

@@ -27,6 +27,9 @@ constexpr double leastReduction = 0.6;
 //! because a finer mesh can bend more freely. The second share is tried when the fine map misses the bound.
 constexpr double coarseShares[] = {1.4, 0.9};
 constexpr int fineSteps = 30; // relaxation steps on the fine mesh, at most
+//! Share of the energy above that of an isometry that a step gains at least. Measured on a noisy shape of
+//! 86,000 triangles: 5 free and 20 guarded steps in place of 13 and 30, D 4.0911 in place of 4.0907.
+constexpr double leastGain = 1e-3;
 //! The same in a hurry. Measured: 4 steps took a mesh of 124,000 triangles from 4.217 to below 4.1.
 constexpr int hurriedSteps = 5;
 //! Steps of relaxing after which a map is shown to CoarseSearch::relaxing. Chosen by hand.
@@ -281,11 +284,14 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
                 [=](const JobContext &own) { return usable(soup, snapshot, options, relaxed, own); });
     };
     show();
-    definite::relaxMap(soup, snapshot, relaxed.map, fineSteps, job, [&](int steps) {
-        job.report(double(steps) / fineSteps);
-        if (steps % stepsBetween == 0)
-            show();
-    });
+    definite::relaxMap(
+        soup, snapshot, relaxed.map, fineSteps, job,
+        [&](int steps) {
+            job.report(double(steps) / fineSteps);
+            if (steps % stepsBetween == 0)
+                show();
+        },
+        leastGain);
     if (job.stopped())
         return false;
     if (options.allowOverlaps || !definite::coversItself(*soup, relaxed.map)) {
@@ -296,7 +302,7 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
         if (definite::coversItself(*soup, map) && !definite::removeOverlaps(*soup, snapshot, map, job))
             return false;
         SeamedMap guarded = map;
-        definite::relaxWithoutOverlaps(soup, snapshot, guarded, fineSteps, job);
+        definite::relaxWithoutOverlaps(soup, snapshot, guarded, fineSteps, job, leastGain);
         if (!definite::coversItself(*soup, guarded))
             map = std::move(guarded);
         if ((options.lambda || map.distortion(*soup) > options.maxDistortion) &&
