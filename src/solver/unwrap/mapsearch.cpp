@@ -41,11 +41,8 @@ search::OptimizeEffort fullEffort(UnwrapQuality quality)
 constexpr double smallestShare = 1e-9;
 constexpr int settleSteps = 20; // Newton steps before hard pins are reached; chosen by hand
 
-//! True when a connected part of the surface has several borders, or handles: its first cuts are not few, so
-//! that the search also starts from a map of the soup. Draft does so from two handles on. (On rocker-arm,
-//! p_torus and human_neutral both qualities find nothing better in that map; draft takes 4 to 9 times the CPU
-//! time for it. On chain, standard finds seams that are 2.3 % shorter there, draft longer ones.)
-bool isComplicated(const MeshData &mesh, UnwrapQuality quality)
+//! True when a connected part of the surface has more borders or more handles than these.
+bool hasPartWithMore(int borders, int handles, const MeshData &mesh)
 {
     const CutMesh whole(mesh, CutFlags(mesh.edgePairs.size(), false));
     std::vector<int> loops(whole.chartCount, 0), euler(whole.chartCount, 0);
@@ -63,12 +60,24 @@ bool isComplicated(const MeshData &mesh, UnwrapQuality quality)
     for (const auto &side : mesh.boundarySides)
         --euler[whole.chart[side.triangle]];
     for (int part = 0; part < whole.chartCount; ++part) {
-        const int handles = (2 - loops[part] - euler[part]) / 2;
-        if (loops[part] > 1 || handles > (quality == UnwrapQuality::Draft ? 1 : 0))
+        if (loops[part] > borders || (2 - loops[part] - euler[part]) / 2 > handles)
             return true;
     }
     return false;
 }
+
+//! True when a connected part of the surface has several borders, or handles: its first cuts are not few, so
+//! that the search also starts from a map of the soup. Draft does so from two handles on. (On rocker-arm,
+//! p_torus and human_neutral both qualities find nothing better in that map; draft takes 4 to 9 times the CPU
+//! time for it. On chain, standard finds seams that are 2.3 % shorter there, draft longer ones.)
+bool isComplicated(const MeshData &mesh, UnwrapQuality quality)
+{
+    return hasPartWithMore(1, quality == UnwrapQuality::Draft ? 1 : 0, mesh);
+}
+
+//! Borders or handles of a part from which drafts start from clusters. With fewer (teapot, multiComp,
+//! torus_with_holes), they find shorter seams from the soup.
+constexpr int manyBorders = 5, manyHandles = 5;
 
 //! Share of the area in rigid regions from which drafts do not start from clusters, which do not know them.
 constexpr double hardlyRigid = 0.1;
@@ -150,7 +159,7 @@ private:
         return mOptions.quality == UnwrapQuality::Draft && !mOptions.lambda &&
                mSnapshot.mesh->triangleCount() > fullEffortTriangles &&
                mSnapshot.settings.start != StartMode::ExistingUv && !mBefore && !mSnapshot.placesIslands() &&
-               !hasDecidedEdges() && isComplicated(*mSnapshot.mesh, mOptions.quality) &&
+               !hasDecidedEdges() && hasPartWithMore(manyBorders - 1, manyHandles - 1, *mSnapshot.mesh) &&
                (!mSnapshot.rigid || mSnapshot.rigid->share < hardlyRigid);
     }
 
