@@ -91,6 +91,12 @@ void TestRigid::regions_data()
     Model mixed = sphere(12, 1);
     mixed.add(box({3, 0, 0}, {1, 1, 1}));
     QTest::newRow("box and sphere") << mixed.mesh() << 6 << 0.33;
+    // Less than 1e-4 of the area of the largest part is dust.
+    Model dusty = sphere(12, 1), small = dusty;
+    dusty.add(box({3, 0, 0}, {0.01, 0.01, 0.01}));
+    small.add(box({3, 0, 0}, {0.02, 0.02, 0.02}));
+    QTest::newRow("dust and sphere") << dusty.mesh() << 0 << 0.0;
+    QTest::newRow("small box and sphere") << small.mesh() << 6 << 0.0;
 }
 
 void TestRigid::regions()

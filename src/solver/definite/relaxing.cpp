@@ -47,7 +47,7 @@ int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot
     while (done < steps && !job.stopped()) {
         const newton::Minimizer::Step step = minimizer.step(map.x);
         ++done;
-        if (step.before - step.after <= stall * std::abs(step.before) || hasSettled(step, leastGain))
+        if (hasSettled(step, stall, leastGain))
             break;
     }
     return done;

@@ -183,9 +183,10 @@ void layOut(const Soup &soup, const std::vector<int> &bad, Snapshot &snapshot, s
 
 } // namespace
 
-bool hasSettled(const newton::Minimizer::Step &step, double leastGain)
+bool hasSettled(const newton::Minimizer::Step &step, double stall, double leastGain)
 {
-    return step.before - step.after <= leastGain * (step.before - isometry);
+    const double gain = step.before - step.after;
+    return gain <= stall * std::abs(step.before) || gain <= leastGain * (step.before - isometry);
 }
 
 SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &given, CutFlags cut,
@@ -250,7 +251,7 @@ int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, 
         ++done;
         if (stepped)
             stepped(done);
-        if (step.before - step.after <= stall * std::abs(step.before) || hasSettled(step, leastGain))
+        if (hasSettled(step, stall, leastGain))
             break;
     }
     return done;

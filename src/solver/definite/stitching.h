@@ -32,7 +32,9 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
              const JobContext &job = {}, const std::function<void(int)> &stepped = {}, double leastGain = 0);
 
-//! True when a Newton step has gained less than a share of what the energy is above that of an isometry.
-bool hasSettled(const newton::Minimizer::Step &step, double leastGain);
+//! True when a Newton step has gained too little for another one.
+//! \param stall share of the energy that it gains at least
+//! \param leastGain the same of what the energy is above that of an isometry
+bool hasSettled(const newton::Minimizer::Step &step, double stall, double leastGain);
 
 } // namespace autocuts::definite

@@ -88,6 +88,12 @@ struct CutState
     //! When this is false everywhere and loopsAreInOrder() is true, no chart overlaps itself.
     //! True also when stopped.
     bool boundariesOverlap(const std::vector<int> &triangles = {}, const JobContext &job = {}) const;
+    //! True when no chart overlaps itself near the given triangles (anywhere when empty). False also when
+    //! stopped.
+    bool isFreeOfOverlaps(const std::vector<int> &triangles = {}, const JobContext &job = {}) const
+    {
+        return loopsAreInOrder() && !boundariesOverlap(triangles, job);
+    }
     //! The obstacles whose boxes meet a box. None before the charts are at their anchors.
     std::vector<const Obstacle *> obstaclesAt(const Vec2 &low, const Vec2 &high) const;
     //! Moves the charts without anchors into rows with room between them.

@@ -50,7 +50,7 @@ std::vector<double> relaxValid(CutState &state, const OptimizeOptions &options)
 bool isUsable(const CutState &state, const OptimizeOptions &options)
 {
     return state.map().validate(*state.graph->soup).empty() &&
-           (options.allowOverlaps || (state.loopsAreInOrder() && !state.boundariesOverlap({}, options.job)));
+           (options.allowOverlaps || state.isFreeOfOverlaps({}, options.job));
 }
 
 } // namespace

@@ -10,11 +10,10 @@ namespace autocuts::search {
 namespace {
 
 // Chosen by hand; their effect has not been measured.
-constexpr int absorbSteps = 12;        // Newton steps per trial
-constexpr double grownShare = 1.1;     // area that a chart is grown to, relative to the least allowed area
-constexpr int edgesPerNeighbour = 6;   // seam edges per neighbour from which growing is tried, about
-constexpr int mostPatch = 3000;        // triangles in the patch of a trial, at most
-constexpr double leastJoinGain = 2e-6; // of energy + mu * cost
+constexpr int absorbSteps = 12;      // Newton steps per trial
+constexpr double grownShare = 1.1;   // area that a chart is grown to, relative to the least allowed area
+constexpr int edgesPerNeighbour = 6; // seam edges per neighbour from which growing is tried, about
+constexpr int mostPatch = 3000;      // triangles in the patch of a trial, at most
 constexpr double anyGain = -std::numeric_limits<double>::infinity();
 //! Energy that a join may cost where rigid regions keep their shape: to lose it costs more.
 constexpr double leastRigidGain = -0.02;
@@ -217,7 +216,7 @@ void SeamSearch::joinCharts()
             if (stopped())
                 return;
             const int size = std::clamp(12 * static_cast<int>(edges.size()), 200, 1000);
-            if (attempt(Absorb, {{}, edges}, size, absorbSteps, leastJoinGain))
+            if (attempt(Absorb, {{}, edges}, size, absorbSteps, leastGain))
                 again = true;
             else
                 failed.insert(edges.front());

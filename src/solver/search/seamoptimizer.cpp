@@ -33,7 +33,7 @@ constexpr double worthChance = 0.95;
 //! The state itself; nothing when charts overlap themselves and that is not allowed, or when stopped.
 std::optional<CutState> usable(CutState state, const OptimizeOptions &options)
 {
-    if (!options.allowOverlaps && (!state.loopsAreInOrder() || state.boundariesOverlap({}, options.job)))
+    if (!options.allowOverlaps && !state.isFreeOfOverlaps({}, options.job))
         return std::nullopt;
     return state;
 }

@@ -44,9 +44,9 @@ struct OptimizeOptions
     OptimizeEffort effort;
     //! Further maps to start from. Where there are pins, they lie there.
     std::vector<SeamedMap> given;
-    bool clusters = false;          //!< first cuts are those between clusters, see firstClusters()
-    std::uint64_t seed = 1;         //!< of all random numbers
-    JobContext job;                 //!< for stopping and threads; progress goes to `start` and `progress`
+    bool clusters = false;  //!< the first cuts are those of firstClusters(), the same for every number
+    std::uint64_t seed = 1; //!< of all random numbers
+    JobContext job;         //!< for stopping and threads; progress goes to `start` and `progress`
     std::function<void(int)> start; //!< called once with the number of large moves of the whole job
     //! Called repeatedly from any thread with the number of large moves since the last call.
     std::function<void(int)> progress;

@@ -12,7 +12,6 @@ namespace {
 // The look-ahead is the prototype's. The others were chosen by hand; the effect of none has been measured.
 constexpr int zipLookAhead = 3;        // edges that are stitched in one trial, at most
 constexpr int disturbedTriangles = 60; // nearest to a change, whose vertices count as changed
-constexpr double leastGain = 2e-6;     // of energy + mu * cost
 //! A large move may first cost this share of mu * (cost of the edges that it opens and closes); it has to
 //! gain after the polish.
 constexpr double promising = 0.6;

@@ -73,6 +73,8 @@ private:
     //! Triangles of a patch: the usual size, and the one for trials whose result on the small patch was
     //! close. The prototype's sizes; other sizes have not been measured.
     static constexpr int smallPatch = 110, mediumPatch = 450;
+    //! Of energy + mu * cost, by a change that is kept. Chosen by hand; its effect has not been measured.
+    static constexpr double leastGain = 2e-6;
 
     int zipEnds();
     int splitBoundary(int most);

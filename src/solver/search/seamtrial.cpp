@@ -151,7 +151,7 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
         const bool fits =
             mState.graph->hasPlainEnergy() || mState.distortion <= std::max(terms.ceiling, mOldDistortion);
         if (!fits || !(mLastGain > terms.minGain) ||
-            (terms.guarded && (!mState.loopsAreInOrder() || mState.boundariesOverlap(mPatch.triangles())))) {
+            (terms.guarded && !mState.isFreeOfOverlaps(mPatch.triangles()))) {
             undo();
             accepted = false;
         }
@@ -418,7 +418,7 @@ void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool gu
         limits.stepped = [&] {
             CutState now = mState;
             mPatch.commit(now);
-            if (!guarded || (now.loopsAreInOrder() && !now.boundariesOverlap(triangles, job.quiet())))
+            if (!guarded || now.isFreeOfOverlaps(triangles, job.quiet()))
                 between(now);
         };
     }

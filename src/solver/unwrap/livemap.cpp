@@ -158,7 +158,7 @@ void LiveMap::take(const SeamedMap &map, const JobContext &job)
 
 void LiveMap::take(const search::CutState &state, const JobContext &job)
 {
-    if (state.loopsAreInOrder() && !state.boundariesOverlap())
+    if (state.isFreeOfOverlaps())
         mBest.offer(state);
     mBest.giveWaiting(job, true);
 }

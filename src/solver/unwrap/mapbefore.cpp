@@ -50,7 +50,7 @@ std::optional<search::CutState> steeredMapBefore(const std::shared_ptr<const sea
     search::CutState state = search::CutState::from(graph->steeredBy(unsteered), *map, true);
     if (!graph->anchors.empty())
         search::placeAtAnchors(state);
-    if (!state.loopsAreInOrder() || state.boundariesOverlap())
+    if (!state.isFreeOfOverlaps())
         return std::nullopt;
     return search::resteered(state, graph, job);
 }
