@@ -228,11 +228,13 @@ private:
 
     bool draws() const { return mChoice.report.endsWith(u".html"_s); }
 
+    //! The journal comes first: what progress says is done must not be done again after a kill.
     Result<Done> note(const FileResult &result, BatchProgress &progress)
     {
+        Result<Done> noted = mJournal.add(result);
         mKnown[result.task.output] = result;
         progress.add(result);
-        return mJournal.add(result);
+        return noted;
     }
 
     void say(const QJsonObject &line)
