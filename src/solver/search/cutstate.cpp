@@ -40,24 +40,12 @@ SeamedMap CutState::map() const
     return {CutFlags(cut.begin(), cut.end()), x};
 }
 
-int CutState::cutsAt(int v) const
+void CutState::setCut(int e, bool isCut)
 {
-    int count = 0;
-    for (const int e : graph->edgesAt(v))
-        count += cut[e];
-    return count;
-}
-
-int CutState::smallParts() const
-{
-    std::vector<char> isSmall(chartCount(), 0);
-    for (const int side : boundary) {
-        const int own = chart[side / 3], other = graph->across[side];
-        if (other >= 0 && chart[other / 3] != own && chartArea[own] < smallestChart(*graph->soup, side / 3) &&
-            graph->rule[graph->edgeOf[side]] != SeamGraph::Rule::AlwaysCut)
-            isSmall[own] = 1;
-    }
-    return static_cast<int>(std::count(isSmall.begin(), isSmall.end(), 1));
+    const int change = int(isCut) - int(cut[e]);
+    cut[e] = isCut;
+    for (const int v : graph->ends[e])
+        cutsAt[v] += change;
 }
 
 void CutState::updateTopology()
@@ -76,15 +64,31 @@ void CutState::updateTopology()
     chartArea.assign(charts, 0);
     for (int t = 0; t < graph->triangleCount(); ++t)
         chartArea[chart[t]] += graph->soup->shareOfCopy(t);
+    cutsAt.assign(graph->vertexCount, 0);
     cost = length = 0;
     for (std::size_t e = 0; e < cut.size(); ++e) {
         if (cut[e]) {
             cost += graph->cost[e];
             length += graph->length[e];
+            for (const int v : graph->ends[e])
+                ++cutsAt[v];
         }
     }
     crooked = 0;
     updateCrooked();
+    countSmallParts();
+}
+
+void CutState::countSmallParts()
+{
+    std::vector<char> isSmall(chartCount(), 0);
+    for (const int side : boundary) {
+        const int own = chart[side / 3], other = graph->across[side];
+        if (other >= 0 && chart[other / 3] != own && chartArea[own] < smallestChart(*graph->soup, side / 3) &&
+            graph->rule[graph->edgeOf[side]] != SeamGraph::Rule::AlwaysCut)
+            isSmall[own] = 1;
+    }
+    smallParts = static_cast<int>(std::count(isSmall.begin(), isSmall.end(), 1));
 }
 
 void CutState::updateCrooked()

@@ -41,6 +41,9 @@ struct CutState
     std::vector<int> boundary;     //!< triangle sides that are open or cut, in ascending order
     std::vector<int> chart;        //!< per triangle: its chart
     std::vector<double> chartArea; //!< per chart: share of the mesh's 3D area, see Soup::shareOfCopy()
+    //! Number of charts below smallestChart() that are not whole connected components of the mesh.
+    int smallParts = 0;
+    std::vector<int> cutsAt; //!< per vertex of the uncut surface: number of its cut edges
 
     //! True when the charts with anchors are where these hold them. Before, anchors have no effect.
     bool anchored = false;
@@ -72,11 +75,11 @@ struct CutState
     int anchorFaults() const;
     //! UV of a soup corner.
     Vec2 at(int corner) const { return cornerAt(x, corner); }
-    //! Number of charts below smallestChart() that are not whole connected components of the mesh.
-    int smallParts() const;
-    //! Number of cut edges at a vertex of the uncut surface.
-    int cutsAt(int v) const;
+    //! True for a vertex of the uncut surface on a border of the mesh or on a cut edge.
+    bool isBoundaryVertex(int v) const { return graph->border[v] || cutsAt[v] > 0; }
 
+    //! Sets a cut flag and cutsAt; what else follows from the flags is for updateTopology().
+    void setCut(int e, bool isCut);
     //! Recomputes everything that follows from the cut flags: boundary, charts, areas, cost and length.
     void updateTopology();
     //! Recomputes triangleEnergy, energy, distortion and the cost of crooked borders from the coordinates.
@@ -99,8 +102,12 @@ struct CutState
     //! Moves the charts without anchors into rows with room between them.
     void spreadCharts();
 
-private:
+    //! Recomputes the cost of crooked borders, a part of the cost, from the coordinates.
     void updateCrooked();
+    //! Recomputes smallParts from boundary, charts and areas.
+    void countSmallParts();
+
+private:
     std::vector<char> chartsWithAnchors() const;
     double anchorEnergy(int t, const double *p) const;
     void addAnchorDerivatives(int t, const double *p, double *gradient, double *hessian) const;

@@ -70,7 +70,7 @@ std::optional<CutState> firstClusters(const std::shared_ptr<const SeamGraph> &gr
         map.cut.assign(cut.begin(), cut.end());
         map.x = tutteEmbedding(*graph->soup, CutMesh(*graph->soup->mesh, map.cut));
         CutState state = CutState::from(graph, map);
-        if (state.smallParts() > mostSmall)
+        if (state.smallParts > mostSmall)
             return std::nullopt;
         const std::vector<double> excess = relaxValid(state, options);
         if (options.job.stopped())

@@ -155,7 +155,7 @@ void SeamSearch::cutApart(const std::vector<int> &edges)
 //! Makes a chart large enough: cuts triangles off a neighbour and stitches them to the chart.
 bool SeamSearch::grow(int chart)
 {
-    const int before = mState.smallParts();
+    const int before = mState.smallParts;
     const CutState saved = mState;
     std::vector<int> edges;
     for (const std::vector<int> &seam : seamsAround(chart)) {
@@ -181,7 +181,7 @@ bool SeamSearch::grow(int chart)
         const int size = std::min(3 * static_cast<int>(region.size()) + mediumPatch, mostPatch);
         if ((attempt(Absorb, join, size, absorbSteps, leastGainOf(*mState.graph)) ||
              attempt(Absorb, {{}, {edge}}, size, absorbSteps, leastGainOf(*mState.graph))) &&
-            mState.smallParts() < before)
+            mState.smallParts < before)
             return true;
         restore(saved);
         if (stopped())
@@ -227,7 +227,7 @@ void SeamSearch::joinCharts()
 void SeamSearch::absorbSmallCharts()
 {
     std::set<int> failed; // first triangles of the charts that could not be joined or grown
-    while (!stopped() && mState.smallParts() > 0) {
+    while (!stopped() && mState.smallParts > 0) {
         std::vector<int> first(mState.chartCount(), -1);
         for (int t = mState.graph->triangleCount() - 1; t >= 0; --t)
             first[mState.chart[t]] = t;

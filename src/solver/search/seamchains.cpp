@@ -9,7 +9,7 @@ namespace {
 
 bool isNode(const CutState &state, int v)
 {
-    return state.graph->border[v] || state.cutsAt(v) != 2;
+    return state.graph->border[v] || state.cutsAt[v] != 2;
 }
 
 //! Appends edges at the end of the chain until it reaches a node or its own first edge.
@@ -35,7 +35,7 @@ void extend(const CutState &state, SeamChain &chain)
 bool SeamChain::endsFreely(const CutState &state, bool last) const
 {
     const int v = last ? vertices.back() : vertices.front();
-    return !state.graph->border[v] && state.cutsAt(v) == 1;
+    return !state.graph->border[v] && state.cutsAt[v] == 1;
 }
 
 SeamChain chainOf(const CutState &state, int edge)
@@ -61,7 +61,7 @@ std::vector<int> SeamPaths::find(int from, int to, double noise, Random &random,
 {
     const SeamGraph &graph = *mState.graph;
     const auto isSeam = [&](int v) {
-        return mAllowed[v] != mRound && (graph.border[v] || mState.cutsAt(v) > 0);
+        return mAllowed[v] != mRound && (graph.border[v] || mState.cutsAt[v] > 0);
     };
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;

@@ -144,7 +144,7 @@ SeamChange SeamSearch::addChange()
     if (worst < 0)
         return change;
     const int from = graph.vertex[3 * worst + mRandom.below(3)];
-    if (graph.border[from] || mState.cutsAt(from) > 0)
+    if (graph.border[from] || mState.cutsAt[from] > 0)
         return change;
     mPaths.clear();
     change.open = mPaths.find(from, -1, mRandom.uniform(0, 0.4), mRandom, 1.5);

@@ -94,7 +94,7 @@ int SeamSearch::zipEnds()
     int zipped = 0;
     for (int v = 0; v < graph.vertexCount && !stopped(); ++v) {
         int tip = v;
-        while (!graph.border[tip] && mState.cutsAt(tip) == 1) {
+        while (!graph.border[tip] && mState.cutsAt[tip] == 1) {
             SeamChange change;
             int at = tip;
             bool done = false;
@@ -235,7 +235,7 @@ int SeamSearch::splitBoundary(int most)
             ++split;
             continue;
         }
-        if (mTrial.lastGain() < -0.7 * mMu * graph.cost[e] || mState.cutsAt(w) > 0 || graph.border[w])
+        if (mTrial.lastGain() < -0.7 * mMu * graph.cost[e] || mState.cutsAt[w] > 0 || graph.border[w])
             continue;
         const int next = straightOn(e, w);
         if (next < 0)

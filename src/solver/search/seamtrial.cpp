@@ -56,7 +56,7 @@ bool SeamTrial::mayChange(const SeamChange &change) const
 void SeamTrial::setFlags(const std::vector<int> &edges, bool cut)
 {
     for (const int e : edges)
-        mState.cut[e] = cut;
+        mState.setCut(e, cut);
 }
 
 //! Closes cut edges next to the change that touch neither another cut edge nor a border: the triangles on
@@ -71,9 +71,9 @@ void SeamTrial::closeLoneEdges(SeamChange &change)
                 if (!mState.cut[e] || graph.rule[e] == SeamGraph::Rule::AlwaysCut)
                     continue;
                 const auto [a, b] = graph.ends[e];
-                if (graph.border[a] || graph.border[b] || mState.cutsAt(a) != 1 || mState.cutsAt(b) != 1)
+                if (graph.border[a] || graph.border[b] || mState.cutsAt[a] != 1 || mState.cutsAt[b] != 1)
                     continue;
-                mState.cut[e] = 0;
+                mState.setCut(e, false);
                 if (std::erase(change.open, e) == 0)
                     change.close.push_back(e);
             }
@@ -115,7 +115,8 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
         return false;
     SeamChange change = asked;
     const int oldCharts = mState.chartCount();
-    const int oldSmallParts = mState.smallParts();
+    const int oldSmallParts = mState.smallParts;
+    const double oldCost = mState.cost, oldLength = mState.length;
     mTopologyChanged = false;
     // What straighter borders may save is known at the end only.
     const double crooked = mState.crooked;
@@ -140,12 +141,14 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
         const bool fits = !mState.graph->hasPlainEnergy() || after <= before ||
                           mState.energy + after - before <= terms.ceiling;
         accepted = fits && mLastGain + terms.mu * hope > terms.minGain &&
-                   (change.open.empty() || keepsCharts(oldSmallParts));
+                   (change.open.empty() || keepsCharts(change, oldSmallParts));
     }
     if (accepted) {
         keep();
-        if (!mTopologyChanged || mState.graph->aligned)
-            mState.updateTopology();
+        if (mTopologyChanged)
+            mState.updateCrooked();
+        else
+            mTopology.update(mState, change.open, change.close);
         mTopologyChanged = true;
         mLastGain += terms.mu * (crooked - mState.crooked);
         const bool fits =
@@ -165,7 +168,10 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
         setFlags(change.open, false);
         setFlags(change.close, true);
         if (mTopologyChanged)
-            mState.updateTopology();
+            mTopology.update(mState, change.close, change.open);
+        mState.cost = oldCost;
+        mState.length = oldLength;
+        mState.crooked = crooked;
     }
     for (const int t : mPatch.triangles())
         std::copy_n(&mState.x[6 * static_cast<std::size_t>(t)], 6, &mX[6 * static_cast<std::size_t>(t)]);
@@ -332,11 +338,11 @@ void SeamTrial::alignPieces(const std::vector<int> &close)
 }
 
 //! False when opening edges has made further charts smaller than CutState::smallestChart().
-bool SeamTrial::keepsCharts(int oldSmallParts)
+bool SeamTrial::keepsCharts(const SeamChange &change, int oldSmallParts)
 {
     mTopologyChanged = true;
-    mState.updateTopology();
-    return mState.smallParts() <= oldSmallParts;
+    mTopology.update(mState, change.open, change.close);
+    return mState.smallParts <= oldSmallParts;
 }
 
 double SeamTrial::relaxAll(int steps, bool guarded, const JobContext &job, const MapSink &between)

@@ -3,6 +3,7 @@
 
 #include "solver/search/cutstate.h"
 #include "solver/search/patch.h"
+#include "solver/search/topologyupdate.h"
 
 #include <functional>
 #include <limits>
@@ -81,12 +82,13 @@ private:
                     const MapSink &between);
     void keep();
     void undo();
-    bool keepsCharts(int oldSmallParts);
+    bool keepsCharts(const SeamChange &change, int oldSmallParts);
     double hopeOf(const SeamChange &change) const;
     std::vector<int> seedsOf(const SeamChange &change) const;
 
     CutState &mState;
     Patch mPatch;
+    TopologyUpdate mTopology;
     std::vector<double> mX; //!< coordinates of the state, except for the patch during an attempt
     double mLastGain = 0;
     std::vector<double> mOldX, mOldEnergy; //!< of the patch, before keep()

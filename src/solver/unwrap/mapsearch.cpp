@@ -256,7 +256,7 @@ private:
             state.graph->rigid ? state.map().distortion(*state.graph->soup) : state.distortion;
         measures.seamLength = state.length;
         measures.seamCost = state.cost;
-        measures.smallCharts = state.smallParts();
+        measures.smallCharts = state.smallParts;
         measures.anchorFaults = state.anchorFaults();
         return measures;
     }
