@@ -165,11 +165,34 @@ std::vector<char> CutState::chartsWithAnchors() const
     return found;
 }
 
-bool CutState::loopsAreInOrder() const
+//! The boundary sides of the charts at a place.
+std::vector<int> CutState::boundaryAt(const MapPlace &place) const
+{
+    std::vector<int> sides;
+    if (place.wholeCharts) {
+        for (const int t : place.triangles) {
+            for (int side = 3 * t; side < 3 * t + 3; ++side) {
+                if (isCutSide(side))
+                    sides.push_back(side);
+            }
+        }
+        return sides;
+    }
+    std::vector<char> isThere(chartCount(), place.triangles.empty());
+    for (const int t : place.triangles)
+        isThere[chart[t]] = 1;
+    for (const int side : boundary) {
+        if (isThere[chart[side / 3]])
+            sides.push_back(side);
+    }
+    return sides;
+}
+
+bool CutState::loopsAreInOrder(const MapPlace &place) const
 {
     std::vector<char> outer(chartCount(), 0);
     std::vector<char> seen(3 * static_cast<std::size_t>(graph->triangleCount()), 0);
-    for (const int first : boundary) {
+    for (const int first : boundaryAt(place)) {
         if (seen[first])
             continue;
         double area = 0;
@@ -192,31 +215,35 @@ bool CutState::loopsAreInOrder() const
     return true;
 }
 
-bool CutState::boundariesOverlap(const std::vector<int> &triangles, const JobContext &job) const
+bool CutState::boundariesOverlap(const MapPlace &place, const JobContext &job) const
 {
     Vec2 low = Vec2::Constant(-1e300), high = Vec2::Constant(1e300);
-    if (!triangles.empty()) {
+    if (!place.triangles.empty()) {
         std::swap(low, high);
-        for (const int t : triangles) {
+        for (const int t : place.triangles) {
             for (int c = 3 * t; c < 3 * t + 3; ++c) {
                 low = low.cwiseMin(at(c));
                 high = high.cwiseMax(at(c));
             }
         }
     }
-    // Triangles with a boundary vertex whose bounding boxes meet the box of the given triangles.
-    std::vector<char> open(graph->vertexCount, 0);
-    for (const int side : boundary)
-        open[graph->vertex[side]] = open[graph->vertex[side / 3 * 3 + (side + 1) % 3]] = 1;
+    // Triangles at boundary points whose bounding boxes meet the box of the given triangles.
     std::vector<int> near;
-    for (int t = 0; t < graph->triangleCount(); ++t) {
-        if (!open[graph->vertex[3 * t]] && !open[graph->vertex[3 * t + 1]] && !open[graph->vertex[3 * t + 2]])
-            continue;
-        const Vec2 a = at(3 * t), b = at(3 * t + 1), c = at(3 * t + 2);
-        if ((a.cwiseMin(b).cwiseMin(c).array() <= high.array()).all() &&
-            (a.cwiseMax(b).cwiseMax(c).array() >= low.array()).all())
-            near.push_back(t);
+    for (const int start : anchored ? boundary : boundaryAt(place)) {
+        for (int side = start;;) {
+            const int t = side / 3;
+            const Vec2 a = at(3 * t), b = at(3 * t + 1), c = at(3 * t + 2);
+            if ((a.cwiseMin(b).cwiseMin(c).array() <= high.array()).all() &&
+                (a.cwiseMax(b).cwiseMax(c).array() >= low.array()).all())
+                near.push_back(t);
+            const int back = 3 * t + (side + 2) % 3;
+            if (isCutSide(back))
+                break;
+            side = graph->across[back];
+        }
     }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
     const std::vector<const Obstacle *> obstacles = obstaclesAt(low, high);
     const int own = static_cast<int>(near.size());
     UvMatrix uv(3 * (near.size() + obstacles.size()), 2);

@@ -8,9 +8,17 @@
 #include "solver/search/trianglekernel.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace autocuts::search {
+
+//! Where to look for overlaps: around some triangles, or everywhere when there are none.
+struct MapPlace
+{
+    std::span<const int> triangles{};
+    bool wholeCharts = false; //!< the triangles are all those of their charts
+};
 
 //! Cut flags and UV coordinates, with the energy and the seam cost that the search minimises. Corners of one
 //! UV vertex have bitwise equal coordinates, and no triangle is flipped. Charts are connected sets of
@@ -84,18 +92,17 @@ struct CutState
     void updateTopology();
     //! Recomputes triangleEnergy, energy, distortion and the cost of crooked borders from the coordinates.
     void updateEnergy();
-    //! \returns false when a chart has more than one counter-clockwise boundary loop. Such a chart overlaps
-    //! itself, even when no boundary sides cross.
-    bool loopsAreInOrder() const;
-    //! \returns true when triangles at the boundaries overlap near the given triangles (anywhere when empty).
-    //! When this is false everywhere and loopsAreInOrder() is true, no chart overlaps itself.
-    //! True also when stopped.
-    bool boundariesOverlap(const std::vector<int> &triangles = {}, const JobContext &job = {}) const;
-    //! True when no chart overlaps itself near the given triangles (anywhere when empty). False also when
-    //! stopped.
-    bool isFreeOfOverlaps(const std::vector<int> &triangles = {}, const JobContext &job = {}) const
+    //! \returns false when a chart there has more than one counter-clockwise boundary loop. Such a chart
+    //! overlaps itself, even when no boundary sides cross.
+    bool loopsAreInOrder(const MapPlace &place = {}) const;
+    //! \returns true when triangles at the boundaries overlap there. When this is false everywhere and
+    //! loopsAreInOrder() is true, no chart overlaps itself. Charts without anchors are far apart, so that only
+    //! those of the triangles are looked at. True also when stopped.
+    bool boundariesOverlap(const MapPlace &place = {}, const JobContext &job = {}) const;
+    //! True when no chart overlaps itself there. False also when stopped.
+    bool isFreeOfOverlaps(const MapPlace &place = {}, const JobContext &job = {}) const
     {
-        return loopsAreInOrder() && !boundariesOverlap(triangles, job);
+        return loopsAreInOrder(place) && !boundariesOverlap(place, job);
     }
     //! The obstacles whose boxes meet a box. None before the charts are at their anchors.
     std::vector<const Obstacle *> obstaclesAt(const Vec2 &low, const Vec2 &high) const;
@@ -108,6 +115,7 @@ struct CutState
     void countSmallParts();
 
 private:
+    std::vector<int> boundaryAt(const MapPlace &place) const;
     std::vector<char> chartsWithAnchors() const;
     double anchorEnergy(int t, const double *p) const;
     void addAnchorDerivatives(int t, const double *p, double *gradient, double *hessian) const;

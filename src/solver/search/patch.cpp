@@ -47,6 +47,7 @@ void Patch::select(const CutState &state, std::span<const int> seeds, int size)
             mTriangles.push_back(t);
         }
     }
+    mCoversCharts = size == 0;
     for (std::size_t i = 0; i < mTriangles.size() && static_cast<int>(mTriangles.size()) < size; ++i) {
         for (int k = 0; k < 3; ++k) {
             const int side = 3 * mTriangles[i] + k;
@@ -248,21 +249,28 @@ bool Patch::crossesItself()
                 mSegments.addFixed(mPosition[2 * from], mPosition[2 * from + 1], mPosition[2 * to],
                                    mPosition[2 * to + 1]);
         }
-        std::vector<char> own; // charts of the patch
-        if (mState->chartsMayMeet) {
-            own.assign(mState->chartCount(), 0);
-            for (const int t : mTriangles)
-                own[mState->chart[t]] = 1;
-        }
-        for (const int side : mState->boundary) {
-            if (mLocal[side / 3] >= 0 || (!own.empty() && !own[mState->chart[side / 3]]))
-                continue;
-            const Vec2 a = mState->at(side), b = mState->at(side / 3 * 3 + (side + 1) % 3);
-            mSegments.addFixed(a.x(), a.y(), b.x(), b.y());
-        }
+        addSidesAround();
         addObstacles();
     }
     return !mSegments.empty() && mSegments.cross(mPosition);
+}
+
+//! Adds the boundary sides outside of the patch. Those of other charts count only where these are not kept
+//! apart.
+void Patch::addSidesAround()
+{
+    const bool ownOnly = mState->chartsMayMeet || !mState->anchored;
+    if (ownOnly && mCoversCharts)
+        return;
+    std::vector<char> counts(mState->chartCount(), !ownOnly);
+    for (const int t : mTriangles)
+        counts[mState->chart[t]] = 1;
+    for (const int side : mState->boundary) {
+        if (!counts[mState->chart[side / 3]] || mLocal[side / 3] >= 0)
+            continue;
+        const Vec2 a = mState->at(side), b = mState->at(side / 3 * 3 + (side + 1) % 3);
+        mSegments.addFixed(a.x(), a.y(), b.x(), b.y());
+    }
 }
 
 //! Adds the open sides of obstacles around the patch. Those further away are left to the final test.

@@ -36,7 +36,7 @@ public:
     explicit Patch(std::shared_ptr<const SeamGraph> graph);
 
     //! Selects about `size` triangles around `seeds`: breadth first, over uncut sides. Seeds are always
-    //! taken.
+    //! taken. \param size 0: the seeds are all triangles of their charts
     void select(const CutState &state, std::span<const int> seeds, int size);
     const std::vector<int> &triangles() const { return mTriangles; }
     //! Index of a triangle in triangles(), -1 outside the patch.
@@ -79,6 +79,7 @@ private:
     void mergeCorners(const CutState &state);
     double distortionOf(const CutState &state) const;
     void numberUnknowns();
+    void addSidesAround();
     void addObstacles();
     double energyAt(const std::vector<double> &position) const;
     double springEnergy(const std::vector<double> &position) const;
@@ -112,6 +113,7 @@ private:
     std::vector<char> mFrozen; //!< per unknown: held during this step because of a crossing
     Segments mSegments;
     bool mSegmentsKnown = false;
+    bool mCoversCharts = false; //!< the patch is made of whole charts
     const CutState *mState = nullptr;
     int mSteps = 0;
 };

@@ -154,7 +154,7 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
         const bool fits =
             mState.graph->hasPlainEnergy() || mState.distortion <= std::max(terms.ceiling, mOldDistortion);
         if (!fits || !(mLastGain > terms.minGain) ||
-            (terms.guarded && !mState.isFreeOfOverlaps(mPatch.triangles()))) {
+            (terms.guarded && !mState.isFreeOfOverlaps({mPatch.triangles()}))) {
             undo();
             accepted = false;
         }
@@ -399,7 +399,7 @@ bool SeamTrial::reachPin(int pin, bool guarded)
     }
     if (reached) {
         keep();
-        if (guarded && mState.boundariesOverlap(mPatch.triangles())) {
+        if (guarded && mState.boundariesOverlap({mPatch.triangles()})) {
             undo();
             reached = false;
         }
@@ -424,7 +424,7 @@ void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool gu
         limits.stepped = [&] {
             CutState now = mState;
             mPatch.commit(now);
-            if (!guarded || now.isFreeOfOverlaps(triangles, job.quiet()))
+            if (!guarded || now.isFreeOfOverlaps({triangles, true}, job.quiet()))
                 between(now);
         };
     }
@@ -440,7 +440,7 @@ void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool gu
     if (job.stopped())
         return;
     keep();
-    if (guarded && mState.boundariesOverlap(triangles, job.quiet()))
+    if (guarded && mState.boundariesOverlap({triangles, true}, job.quiet()))
         undo();
 }
 
