@@ -32,7 +32,8 @@ void SeamSearch::setMu(double mu)
     mMu = mu;
 }
 
-bool SeamSearch::attempt(Move move, const SeamChange &asked, int size, int steps, double minGain)
+bool SeamSearch::attempt(Move move, const SeamChange &asked, int size, int steps, double minGain,
+                         CutState *before)
 {
     ++counts[move].tried;
     const SeamChange change = withMirrorImages(asked);
@@ -43,7 +44,7 @@ bool SeamSearch::attempt(Move move, const SeamChange &asked, int size, int steps
     terms.minGain = minGain;
     terms.guarded = mOptions.guarded;
     terms.ceiling = mCeiling;
-    if (!mTrial.attempt(change, terms))
+    if (!mTrial.attempt(change, terms, before))
         return false;
     ++counts[move].kept;
     ++mClock;
@@ -94,7 +95,7 @@ int SeamSearch::zipEnds()
     int zipped = 0;
     for (int v = 0; v < graph.vertexCount && !stopped(); ++v) {
         int tip = v;
-        while (!graph.border[tip] && mState.cutsAt[tip] == 1) {
+        while (mState.cutsAt[tip] == 1 && !graph.border[tip]) {
             SeamChange change;
             int at = tip;
             bool done = false;
@@ -137,7 +138,30 @@ int SeamSearch::zipEnds()
     return zipped;
 }
 
-//! For every edge that leads from a boundary vertex inwards: the energy that opening it would gain by a
+//! True for an edge that may be cut and was not tried since something near it changed.
+bool SeamSearch::isFreshSplit(int edge, int vertex) const
+{
+    const SeamGraph &graph = *mState.graph;
+    return graph.rule[edge] != SeamGraph::Rule::NeverCut &&
+           mSplitTried[edge] < std::max(mChanged[vertex], mChanged[graph.farEnd(edge, vertex)]);
+}
+
+//! The same for any edge that leads inwards from the point where a boundary side starts.
+bool SeamSearch::hasFreshSplit(int side) const
+{
+    const SeamGraph &graph = *mState.graph;
+    const int v = graph.vertex[side];
+    while (true) {
+        const int back = side / 3 * 3 + (side + 2) % 3;
+        if (mState.isCutSide(back))
+            return false;
+        if (isFreshSplit(graph.edgeOf[back], v))
+            return true;
+        side = graph.across[back];
+    }
+}
+
+//! For every fresh edge that leads from a boundary vertex inwards: the energy that opening it would gain by a
 //! quadratic model of the two parts of the vertex, over mu times its cost. Best first.
 std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
 {
@@ -152,6 +176,8 @@ std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
     std::vector<Part> fan;
     double gradient[6], h[21];
     for (const int start : mState.boundary) {
+        if (!hasFreshSplit(start))
+            continue;
         fan.clear();
         int side = start;
         Vec2 sum = Vec2::Zero();
@@ -173,7 +199,7 @@ std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
         const int v = graph.vertex[start];
         for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
             const int e = fan[i].edge;
-            if (graph.rule[e] == SeamGraph::Rule::NeverCut)
+            if (!isFreshSplit(e, v))
                 continue;
             const double a = fan[i].stiffness, b = stiffness - a;
             const double gain = 0.5 * fan[i].gradient.squaredNorm() * (1 / a + 1 / std::max(b, 1e-3 * a));
@@ -226,7 +252,7 @@ int SeamSearch::splitBoundary(int most)
         if (tries >= most || cut.score < 0.05 || stopped())
             break;
         const int e = cut.edge, w = graph.farEnd(e, cut.vertex);
-        if (mState.cut[e] || mSplitTried[e] >= std::max(mChanged[cut.vertex], mChanged[w]))
+        if (mState.cut[e] || !isFreshSplit(e, cut.vertex))
             continue;
         ++tries;
         mSplitTried[e] = mClock;
@@ -269,21 +295,32 @@ bool SeamSearch::tryLargeMove()
     const int size = std::clamp(12 * edges, 200, 1000);
     if (move == Window)
         return attempt(move, change, size, 6, leastGain - heat());
-    const CutState saved = mState;
+    const int clock = mClock;
     double moved = 0;
     for (const int e : change.open)
         moved += mState.graph->cost[e];
     for (const int e : change.close)
         moved += mState.graph->cost[e];
-    if (!attempt(move, change, size, 6, -promising * mMu * moved))
+    if (!attempt(move, change, size, 6, -promising * mMu * moved, &mBefore))
         return false;
     polish(2);
     if (mState.objective(mMu) < before - leastGain + heat())
         return true;
     --counts[move].kept;
-    mState = saved;
-    mTrial.reset();
+    takeBack(clock);
     return false;
+}
+
+//! Goes back to the state before a large move. What was tried since then was tried on another map.
+//! \param clock at the move
+void SeamSearch::takeBack(int clock)
+{
+    mState = mBefore;
+    mTrial.reset();
+    for (std::vector<int> *tried : {&mZipTried, &mSplitTried}) {
+        for (int &at : *tried)
+            at = at > clock ? 0 : at;
+    }
 }
 
 } // namespace autocuts::search

@@ -78,7 +78,11 @@ private:
 
     int zipEnds();
     int splitBoundary(int most);
-    bool attempt(Move move, const SeamChange &asked, int size, int steps, double minGain);
+    bool attempt(Move move, const SeamChange &asked, int size, int steps, double minGain,
+                 CutState *before = nullptr);
+    void takeBack(int clock);
+    bool isFreshSplit(int edge, int vertex) const;
+    bool hasFreshSplit(int side) const;
     SeamChange withMirrorImages(const SeamChange &change) const;
     std::vector<std::vector<int>> seamsAround(int chart) const;
     bool absorb(int chart);
@@ -107,6 +111,7 @@ private:
     Random mRandom;
     SeamTrial mTrial;
     SeamPaths mPaths;
+    CutState mBefore; //!< before the last large move that was kept; a buffer
     // A trial that failed is repeated only after something near it has changed. The clock counts changes.
     int mClock = 1;
     std::vector<int> mChanged;               //!< per vertex of the uncut surface: clock of the last change

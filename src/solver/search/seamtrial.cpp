@@ -53,10 +53,10 @@ bool SeamTrial::mayChange(const SeamChange &change) const
     return true;
 }
 
-void SeamTrial::setFlags(const std::vector<int> &edges, bool cut)
+void SeamTrial::setFlags(CutState &state, const std::vector<int> &edges, bool cut)
 {
     for (const int e : edges)
-        mState.setCut(e, cut);
+        state.setCut(e, cut);
 }
 
 //! Closes cut edges next to the change that touch neither another cut edge nor a border: the triangles on
@@ -108,7 +108,7 @@ std::vector<int> SeamTrial::seedsOf(const SeamChange &change) const
     return seeds;
 }
 
-bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
+bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutState *before)
 {
     mLastGain = impossible;
     if (!mayChange(asked))
@@ -130,19 +130,24 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
     for (const int e : change.open)
         costGain -= mState.graph->cost[e];
     mPatch.select(mState, seedsOf(change), terms.patchSize);
-    double before = 0;
+    double energyBefore = 0;
     for (const int t : mPatch.triangles())
-        before += mState.triangleEnergy[t];
+        energyBefore += mState.triangleEnergy[t];
 
     bool accepted = false;
     if (change.close.empty() ? mPatch.join(mState, mState.x) : closeGaps(change.close)) {
-        const double after = solve(change, terms, before, costGain + hope);
-        mLastGain = before - after + terms.mu * costGain;
-        const bool fits = !mState.graph->hasPlainEnergy() || after <= before ||
-                          mState.energy + after - before <= terms.ceiling;
-        accepted = fits && mLastGain + terms.mu * hope > terms.minGain &&
-                   (change.open.empty() || keepsCharts(change, oldSmallParts));
+        const double after = solve(change, terms, energyBefore, costGain + hope);
+        mLastGain = energyBefore - after + terms.mu * costGain;
+        const bool fits = !mState.graph->hasPlainEnergy() || after <= energyBefore ||
+                          mState.energy + after - energyBefore <= terms.ceiling;
+        accepted = fits && mLastGain + terms.mu * hope > terms.minGain;
     }
+    if (accepted && before) {
+        *before = mState;
+        setFlags(*before, change.open, false);
+        setFlags(*before, change.close, true);
+    }
+    accepted = accepted && (change.open.empty() || keepsCharts(change, oldSmallParts));
     if (accepted) {
         keep();
         if (mTopologyChanged)

@@ -40,8 +40,9 @@ public:
     explicit SeamTrial(CutState &state);
 
     //! Makes the change and keeps it when it fulfils the terms, else leaves the state as it was.
+    //! \param before receives the state as it was, when the change may be kept; null: not asked for
     //! \returns true when the change was kept
-    bool attempt(const SeamChange &change, const TrialTerms &terms);
+    bool attempt(const SeamChange &change, const TrialTerms &terms, CutState *before = nullptr);
     //! Must be called when the state has been replaced from outside.
     void reset() { mX = mState.x; }
     //! Minimises the energy of every chart by Newton steps with the seams fixed. When stopped, the chart
@@ -67,7 +68,8 @@ public:
 private:
     bool mayChange(const SeamChange &change) const;
     void closeLoneEdges(SeamChange &change);
-    void setFlags(const std::vector<int> &edges, bool cut);
+    static void setFlags(CutState &state, const std::vector<int> &edges, bool cut);
+    void setFlags(const std::vector<int> &edges, bool cut) { setFlags(mState, edges, cut); }
     bool closeGaps(const std::vector<int> &close);
     //! The connected components of the patch over its uncut sides.
     struct Pieces
