@@ -5,6 +5,7 @@
 #include "solver/search/seamsearch.h"
 #include "solver/search/seamseeds.h"
 #include "solver/search/segments.h"
+#include "solver/search/topologyupdate.h"
 #include "solver/search/trianglekernel.h"
 #include "solver/search/tutte.h"
 #include "support/meshbuilders.h"
@@ -47,6 +48,26 @@ CutState startOf(const std::shared_ptr<const SeamGraph> &graph, int paths)
     return CutState::from(graph, map);
 }
 
+//! What does not follow from the cut flags of a state; empty when all does.
+QString topologyProblem(const CutState &state)
+{
+    CutState fresh = state;
+    fresh.updateTopology();
+    if (fresh.boundary != state.boundary)
+        return QStringLiteral("the boundary is out of date");
+    if (fresh.chart != state.chart || fresh.chartArea.size() != state.chartArea.size())
+        return QStringLiteral("the charts are out of date");
+    for (std::size_t c = 0; c < fresh.chartArea.size(); ++c) {
+        if (std::abs(fresh.chartArea[c] - state.chartArea[c]) > 1e-12)
+            return QStringLiteral("area %1, not %2").arg(state.chartArea[c]).arg(fresh.chartArea[c]);
+    }
+    if (fresh.cutsAt != state.cutsAt || fresh.smallParts != state.smallParts)
+        return QStringLiteral("cuts at vertices or small parts are out of date");
+    if (std::abs(fresh.length - state.length) > 1e-9 || std::abs(fresh.cost - state.cost) > 1e-9)
+        return QStringLiteral("length or cost are out of date");
+    return {};
+}
+
 //! What is wrong with a state; empty when its sums are right and its map is valid and covers nothing twice.
 QString problemWith(const CutState &state)
 {
@@ -62,9 +83,9 @@ QString problemWith(const CutState &state)
     fresh.updateEnergy();
     if (std::abs(fresh.energy - state.energy) > 1e-9)
         return QStringLiteral("energy %1, not %2").arg(state.energy).arg(fresh.energy);
-    if (std::abs(fresh.length - map.seamLength(soup)) > 1e-9 || fresh.chart != state.chart)
-        return QStringLiteral("the topology is out of date");
-    return {};
+    if (std::abs(fresh.length - map.seamLength(soup)) > 1e-9)
+        return QStringLiteral("the length is out of date");
+    return topologyProblem(state);
 }
 
 OptimizeOptions littleEffort()
@@ -234,6 +255,43 @@ private Q_SLOTS:
         const std::vector<char> opened = fewCuts(*graph, none);
         QCOMPARE(edges(1000), std::count(opened.begin(), opened.end(), 1));
         QVERIFY(edges(0.1) > edges(1000));
+    }
+
+    void chartsFollowTheSeams_data()
+    {
+        QTest::addColumn<QString>("mesh");
+        QTest::newRow("sphere") << "sphere";
+        QTest::newRow("torus") << "torus";
+        QTest::newRow("cube") << "cube";
+    }
+
+    //! Random sets of edges are opened and closed, so that charts fall apart, join, and do both at once.
+    void chartsFollowTheSeams()
+    {
+        QFETCH(QString, mesh);
+        Snapshot snapshot;
+        snapshot.mesh = meshNamed(mesh);
+        CutState state = startOf(graphOf(snapshot), 2);
+        TopologyUpdate topology;
+        Random random(7);
+        int most = 0;
+        for (int round = 0; round < 300; ++round) {
+            // Closing prevails where there are many seams, opening where there are few.
+            const bool opens = round % 100 < 60;
+            SeamChange change;
+            for (std::size_t e = 0; e < state.cut.size(); ++e) {
+                if (random.uniform() < ((state.cut[e] != 0) == opens ? 0.01 : 0.08))
+                    (state.cut[e] ? change.close : change.open).push_back(static_cast<int>(e));
+            }
+            for (const int e : change.open)
+                state.setCut(e, true);
+            for (const int e : change.close)
+                state.setCut(e, false);
+            topology.update(state, change.open, change.close);
+            QCOMPARE(topologyProblem(state), QString());
+            most = std::max(most, state.chartCount());
+        }
+        QVERIFY(most > 3);
     }
 
     void longerSeamsWhereTheyAreCheap_data()

@@ -96,8 +96,8 @@ struct CutState
     //! overlaps itself, even when no boundary sides cross.
     bool loopsAreInOrder(const MapPlace &place = {}) const;
     //! \returns true when triangles at the boundaries overlap there. When this is false everywhere and
-    //! loopsAreInOrder() is true, no chart overlaps itself. Charts without anchors are far apart, so that only
-    //! those of the triangles are looked at. True also when stopped.
+    //! loopsAreInOrder() is true, no chart overlaps itself. Charts without anchors are far apart, so that
+    //! only those of the triangles are looked at. True also when stopped.
     bool boundariesOverlap(const MapPlace &place = {}, const JobContext &job = {}) const;
     //! True when no chart overlaps itself there. False also when stopped.
     bool isFreeOfOverlaps(const MapPlace &place = {}, const JobContext &job = {}) const

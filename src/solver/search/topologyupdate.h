@@ -10,7 +10,8 @@ namespace autocuts::search {
 
 //! Does what CutState::updateTopology() does, at a cost that grows with the change, and with the smaller of
 //! the pieces that a chart falls into or that are joined, instead of with the mesh. Sums of lengths and areas
-//! are updated, so that they may differ from those by rounding errors. Buffers are reused; use one per thread.
+//! are updated, so that they may differ from those by rounding errors. Buffers are reused; use one per
+//! thread.
 class TopologyUpdate
 {
 public:
