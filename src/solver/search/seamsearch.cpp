@@ -138,30 +138,7 @@ int SeamSearch::zipEnds()
     return zipped;
 }
 
-//! True for an edge that may be cut and was not tried since something near it changed.
-bool SeamSearch::isFreshSplit(int edge, int vertex) const
-{
-    const SeamGraph &graph = *mState.graph;
-    return graph.rule[edge] != SeamGraph::Rule::NeverCut &&
-           mSplitTried[edge] < std::max(mChanged[vertex], mChanged[graph.farEnd(edge, vertex)]);
-}
-
-//! The same for any edge that leads inwards from the point where a boundary side starts.
-bool SeamSearch::hasFreshSplit(int side) const
-{
-    const SeamGraph &graph = *mState.graph;
-    const int v = graph.vertex[side];
-    while (true) {
-        const int back = side / 3 * 3 + (side + 2) % 3;
-        if (mState.isCutSide(back))
-            return false;
-        if (isFreshSplit(graph.edgeOf[back], v))
-            return true;
-        side = graph.across[back];
-    }
-}
-
-//! For every fresh edge that leads from a boundary vertex inwards: the energy that opening it would gain by a
+//! For every edge that leads from a boundary vertex inwards: the energy that opening it would gain by a
 //! quadratic model of the two parts of the vertex, over mu times its cost. Best first.
 std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
 {
@@ -176,8 +153,6 @@ std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
     std::vector<Part> fan;
     double gradient[6], h[21];
     for (const int start : mState.boundary) {
-        if (!hasFreshSplit(start))
-            continue;
         fan.clear();
         int side = start;
         Vec2 sum = Vec2::Zero();
@@ -199,7 +174,7 @@ std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
         const int v = graph.vertex[start];
         for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
             const int e = fan[i].edge;
-            if (!isFreshSplit(e, v))
+            if (graph.rule[e] == SeamGraph::Rule::NeverCut)
                 continue;
             const double a = fan[i].stiffness, b = stiffness - a;
             const double gain = 0.5 * fan[i].gradient.squaredNorm() * (1 / a + 1 / std::max(b, 1e-3 * a));
@@ -252,7 +227,7 @@ int SeamSearch::splitBoundary(int most)
         if (tries >= most || cut.score < 0.05 || stopped())
             break;
         const int e = cut.edge, w = graph.farEnd(e, cut.vertex);
-        if (mState.cut[e] || !isFreshSplit(e, cut.vertex))
+        if (mState.cut[e] || mSplitTried[e] >= std::max(mChanged[cut.vertex], mChanged[w]))
             continue;
         ++tries;
         mSplitTried[e] = mClock;
@@ -295,7 +270,6 @@ bool SeamSearch::tryLargeMove()
     const int size = std::clamp(12 * edges, 200, 1000);
     if (move == Window)
         return attempt(move, change, size, 6, leastGain - heat());
-    const int clock = mClock;
     double moved = 0;
     for (const int e : change.open)
         moved += mState.graph->cost[e];
@@ -307,20 +281,9 @@ bool SeamSearch::tryLargeMove()
     if (mState.objective(mMu) < before - leastGain + heat())
         return true;
     --counts[move].kept;
-    takeBack(clock);
-    return false;
-}
-
-//! Goes back to the state before a large move. What was tried since then was tried on another map.
-//! \param clock at the move
-void SeamSearch::takeBack(int clock)
-{
     mState = mBefore;
     mTrial.reset();
-    for (std::vector<int> *tried : {&mZipTried, &mSplitTried}) {
-        for (int &at : *tried)
-            at = at > clock ? 0 : at;
-    }
+    return false;
 }
 
 } // namespace autocuts::search

@@ -80,9 +80,6 @@ private:
     int splitBoundary(int most);
     bool attempt(Move move, const SeamChange &asked, int size, int steps, double minGain,
                  CutState *before = nullptr);
-    void takeBack(int clock);
-    bool isFreshSplit(int edge, int vertex) const;
-    bool hasFreshSplit(int side) const;
     SeamChange withMirrorImages(const SeamChange &change) const;
     std::vector<std::vector<int>> seamsAround(int chart) const;
     bool absorb(int chart);

@@ -1,6 +1,6 @@
 #include "solver/unwrap/readyresult.h"
 
-#include <chrono>
+#include <algorithm>
 #include <utility>
 
 namespace autocuts::unwrap {
@@ -13,8 +13,9 @@ constexpr double rounding = 1e-9;
 
 } // namespace
 
-ReadyResult::ReadyResult(const Ranking &ranking, Place place, MakeMap first, Watch watch)
-    : mRanking(ranking), mPlace(std::move(place)), mWatch(std::move(watch)),
+ReadyResult::ReadyResult(const Ranking &ranking, Place place, MakeMap first, Watch watch,
+                         std::chrono::milliseconds firstRest)
+    : mRanking(ranking), mPlace(std::move(place)), mWatch(std::move(watch)), mFirstRest(firstRest),
       mThread([this, first = std::move(first)] { run(first); })
 {}
 
@@ -56,6 +57,7 @@ void ReadyResult::run(const MakeMap &first)
 {
     using Clock = std::chrono::steady_clock;
     MakeMap make = first;
+    const auto start = Clock::now();
     while (true) {
         const auto begin = Clock::now();
         try {
@@ -66,10 +68,12 @@ void ReadyResult::run(const MakeMap &first)
         }
         std::unique_lock lock(mMutex);
         mChanged.notify_all();
+        const auto now = Clock::now();
+        auto next = start + mFirstRest;
         // Patches are for want of anything else.
         if (!mMeasures || !mMeasures->onlyPatches)
-            mChanged.wait_until(lock, Clock::now() + restShare * (Clock::now() - begin),
-                                [this] { return mEnds.load(); });
+            next = std::max(next, now + restShare * (now - begin));
+        mChanged.wait_until(lock, next, [this] { return mEnds.load(); });
         mChanged.wait(lock, [this] { return mEnds || mNext; });
         if (mEnds)
             return;

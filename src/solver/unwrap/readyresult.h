@@ -4,6 +4,7 @@
 #include "solver/unwrap/candidates.h"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <functional>
@@ -27,7 +28,9 @@ public:
     using Watch = std::function<void(const UnwrapResult &)>;
 
     //! \param first makes a map at once, and always one
-    ReadyResult(const Ranking &ranking, Place place, MakeMap first, Watch watch = {});
+    //! \param firstRest from the start to the second map: a job that ends by then needs none for a stop
+    ReadyResult(const Ranking &ranking, Place place, MakeMap first, Watch watch = {},
+                std::chrono::milliseconds firstRest = {});
     //! Waits until the thread has left what it does.
     ~ReadyResult();
 
@@ -46,6 +49,7 @@ private:
     const Ranking &mRanking;
     const Place mPlace;
     const Watch mWatch;
+    const std::chrono::milliseconds mFirstRest;
     std::atomic<bool> mEnds = false;
     std::mutex mMutex; //!< for what follows
     std::condition_variable mChanged;
