@@ -44,17 +44,19 @@ class Studios(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.runtime, True)
         self.addCleanup(lambda before: os.environ.update(before), dict(os.environ))
         for name in ("XDG_RUNTIME_DIR", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
-            os.environ[name] = self.runtime
+            os.environ[name] = os.path.join(self.runtime, name)
+            os.mkdir(os.environ[name], 0o700)
         self.processes = []
         self.addCleanup(self.end_studios)
 
     def end_studios(self):
-        for place in link.places():
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(place.process, signal.SIGKILL)
+        for process in self.processes:
+            process.kill()
+            process.wait()
 
     def start(self, *arguments):
         studio = link.start_studio((STUDIO, *arguments), timeout=LONG)
+        self.processes.append(studio.process)
         self.addCleanup(studio.close)
         return studio
 
@@ -152,7 +154,8 @@ class Studios(unittest.TestCase):
         self.assertEqual(link.places(), [])
         self.assertEqual(os.listdir(link.user_folder()), [])
         other = self.start()
-        self.hand(link.connect(), "a", grid(3), open=True)
+        with link.connect() as again:
+            self.hand(again, "a", grid(3), open=True)
         self.assertTrue(other.is_open)
 
     def test_killed_programs(self):

@@ -155,7 +155,9 @@ class Link:
         """Connects. Raises LinkError when the studio refuses, OSError when there is none."""
         self.place = place
         self.serial = 0  # of the mesh that was sent last
+        self.process = None  # of a studio that was started for it
         self._in, self._out = bytearray(), bytearray()
+        self._kept = []  # messages that came behind the one that was waited for
         self._socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         try:
             self._socket.settimeout(timeout)
@@ -288,10 +290,11 @@ class Link:
 
     def poll(self):
         """The messages that have come. Those about a mesh before the last one are left out."""
+        messages, self._kept = self._kept, []
         if self._socket is None:
-            return []
+            return messages
         self._write()
-        messages = self._taken()
+        messages += self._taken()
         while self._socket is not None:
             try:
                 data = self._socket.recv(_AT_ONCE)
@@ -335,21 +338,21 @@ class Link:
         return messages
 
     def wait_for(self, kind, timeout=60, heard=None):
-        """Waits for a message of a type. Raises LinkError when the studio refuses, when the link ends, and after
-        `timeout` seconds. heard: a list that gets the other messages; None: they are forgotten."""
+        """Waits for a message of a type; what comes behind it is left for later. Raises LinkError when the studio
+        refuses, when the link ends, and after `timeout` seconds. heard: a list that gets the messages before it;
+        None: they are forgotten."""
         until = time.monotonic() + timeout
         while True:
             messages = self.receive(max(0, until - time.monotonic()))
-            found = None
-            for message in messages:
+            for number, message in enumerate(messages):
+                if message.type in ("refused", kind):
+                    self._kept = messages[number + 1 :]
                 if message.type == "refused":
                     raise LinkError(f"{message.fields['reason']}. {message.fields['remedy']}.")
-                if message.type == kind and found is None:
-                    found = message
-                elif heard is not None:
+                if message.type == kind:
+                    return message
+                if heard is not None:
                     heard.append(message)
-            if found is not None:
-                return found
             if self._socket is None:
                 raise LinkError("The link to the studio has ended. Open the model in Autocuts again.")
             if time.monotonic() >= until:
@@ -381,6 +384,8 @@ def start_studio(command=("autocuts",), folder=None, timeout=60, program="Python
     while time.monotonic() < until and process.poll() is None:
         for place in places(folder):
             if place.process == process.pid:
-                return Link(place, program, timeout)
+                studio = Link(place, program, timeout)
+                studio.process = process
+                return studio
         time.sleep(0.05)
     raise LinkError("The studio has not started. Start it yourself and try again.")
