@@ -7235,7 +7235,7 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
     <message>
         <source>&amp;Let other programs of mine link to this one</source>
-        <translation>&amp;Andere Programme von mir verbinden lassen</translation>
+        <translation>Andere Progra&amp;mme von mir verbinden lassen</translation>
     </message>
     <message>
         <source>Such as Blender, by Open in Autocuts; nothing is reached from other computers</source>
