@@ -1,4 +1,5 @@
 // autocuts: the studio.
+#include "link/linkplace.h"
 #include "views/actions/studioactions.h"
 #include "views/shell/mainwindow.h"
 #include "views/ui/language.h"
@@ -55,6 +56,7 @@ int main(int argc, char *argv[])
         QObject::connect(&window.context().files, &autocuts::FileController::opened, &window.context().solver,
                          &autocuts::SolverController::run);
     window.show();
+    window.link().listen(autocuts::link::LinkPlace::userFolder());
     QTimer::singleShot(0, &window, [&] {
         if (parser.isSet(sample))
             window.context().files.openSample(parser.value(sample));

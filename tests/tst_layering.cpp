@@ -36,13 +36,14 @@ const std::vector<Layer> layers{
      {"model/plain"}},
     {"api", {""}, {"model/plain", "model/transfer", "solver"}}, // but solver/live: see mayInclude()
     {"jobs", {""}, {"model", "solver"}},                        // but solver/live: see mayInclude()
-    {"cli", {"", "manyfiles", "program"}, {"model", "commands", "solver", "jobs"}},
+    {"link", {""}, {"model"}},
+    {"cli", {"", "manyfiles", "program"}, {"model", "commands", "solver", "jobs", "link"}},
     // Only views/control may include solver/: see mayInclude().
     {"views",
-     {"ui", "state", "gl", "control", "selecting", "canvas", "tools", "dialogs", "actions", "panels",
+     {"ui", "state", "gl", "control", "selecting", "canvas", "tools", "dialogs", "actions", "link", "panels",
       "shell"},
-     {"model", "commands", "jobs"}},
-    {"", {""}, {"model", "commands", "views"}}, // main.cpp
+     {"model", "commands", "jobs", "link"}},
+    {"", {""}, {"model", "commands", "link", "views"}}, // main.cpp
 };
 
 struct Include

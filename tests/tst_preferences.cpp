@@ -40,6 +40,7 @@ PreferenceValues otherValues()
     v.undoMemoryMb = 64;
     v.solveOnOpen = true;
     v.showTextures = false;
+    v.letProgramsIn = false;
     return v;
 }
 

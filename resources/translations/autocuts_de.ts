@@ -5803,6 +5803,71 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
 </context>
 <context>
+    <name>autocuts::LinkButton</name>
+    <message>
+        <source>Programs that get this map while you work</source>
+        <translation>Programme, die diese Map während der Arbeit bekommen</translation>
+    </message>
+    <message>
+        <source>Send the map now</source>
+        <translation>Map jetzt senden</translation>
+    </message>
+    <message>
+        <source>End the link</source>
+        <translation>Verbindung beenden</translation>
+    </message>
+    <message>
+        <source>Linked: %1</source>
+        <translation>Verbunden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::LinkController</name>
+    <message>
+        <source>%1 is no longer linked</source>
+        <translation>%1 ist nicht mehr verbunden</translation>
+    </message>
+    <message>
+        <source>%1 is linked</source>
+        <translation>%1 ist verbunden</translation>
+    </message>
+    <message>
+        <source>the studio has another model</source>
+        <translation>das Studio hat ein anderes Modell</translation>
+    </message>
+    <message>
+        <source>Open this one in Autocuts again</source>
+        <translation>Öffnen Sie dieses noch einmal in Autocuts</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::LinkTaking</name>
+    <message>
+        <source>the model was not taken over</source>
+        <translation>das Modell wurde nicht übernommen</translation>
+    </message>
+    <message>
+        <source>Hand it over again</source>
+        <translation>Übergeben Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>the studio has another model</source>
+        <translation>das Studio hat ein anderes Modell</translation>
+    </message>
+    <message>
+        <source>Open this one in Autocuts again</source>
+        <translation>Öffnen Sie dieses noch einmal in Autocuts</translation>
+    </message>
+    <message>
+        <source>the user keeps the open session</source>
+        <translation>der Benutzer behält die offene Sitzung</translation>
+    </message>
+    <message>
+        <source>Save or close it first</source>
+        <translation>Speichern oder schließen Sie sie zuerst</translation>
+    </message>
+</context>
+<context>
     <name>autocuts::LiveBake</name>
     <message>
         <source>%1 % of the surface found nothing of the detailed model: a larger cage reaches farther</source>
@@ -7167,6 +7232,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>&amp;Autosave at the latest after:</source>
         <translation>A&amp;utomatisch sichern spätestens nach:</translation>
+    </message>
+    <message>
+        <source>&amp;Let other programs of mine link to this one</source>
+        <translation>Andere Progra&amp;mme von mir verbinden lassen</translation>
+    </message>
+    <message>
+        <source>Such as Blender, by Open in Autocuts; nothing is reached from other computers</source>
+        <translation>Etwa Blender, mit Open in Autocuts; von anderen Rechnern aus ist nichts erreichbar</translation>
     </message>
 </context>
 <context>

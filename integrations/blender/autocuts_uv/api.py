@@ -8,6 +8,7 @@
       stays as it is.
 """
 
+import bmesh
 import bpy
 import gpu
 import numpy as np
@@ -40,6 +41,31 @@ def pins_of(layer):
     elif len(layer.pin) == len(pins):
         layer.pin.foreach_get("value", pins)
     return pins
+
+
+def change_pins(item, uv_name, pins, unpins):
+    """Pins and frees corners of an object's UV map, also in edit mode."""
+    if item.mode == "EDIT":
+        edited = bmesh.from_edit_mesh(item.data)
+        layer = edited.loops.layers.uv.get(uv_name)
+        chosen = {**dict.fromkeys(unpins.tolist(), False), **dict.fromkeys(pins.tolist(), True)}
+        loops = (loop for face in edited.faces for loop in face.loops) if layer else ()
+        for corner, loop in enumerate(loops):
+            if corner in chosen:
+                loop[layer].pin_uv = chosen[corner]
+        bmesh.update_edit_mesh(item.data, loop_triangles=False, destructive=False)
+        return
+    layer = item.data.uv_layers.get(uv_name)
+    if layer is None:
+        return
+    flags = pins_of(layer)
+    flags[unpins], flags[pins] = False, True
+    if hasattr(layer, "pin"):
+        if hasattr(layer, "pin_ensure"):
+            layer.pin_ensure()
+        layer.pin.foreach_set("value", flags)
+    else:
+        layer.data.foreach_set("pin_uv", flags)
 
 
 def _edge_flags(mesh, name):

@@ -267,6 +267,15 @@ def find_program(path):
     return shutil.which(path or "autocuts-cli")
 
 
+def find_studio(path, program_path):
+    """The path of the studio, or None. path: of it, or empty to look beside autocuts-cli, then in PATH."""
+    if path:
+        return shutil.which(path)
+    program = find_program(program_path)
+    beside = shutil.which("autocuts", path=os.path.dirname(os.path.realpath(program))) if program else None
+    return beside or shutil.which("autocuts")
+
+
 def engines(kind, module_folder, program_path):
     """The engines that are there, the preferred one first. kind: "AUTO", "MODULE" or "PROGRAM"."""
     found = []

@@ -5,7 +5,7 @@ import os
 
 import bpy
 
-from . import api, baking, engine, jobs, meshdata, options, overlay
+from . import api, baking, engine, jobs, livelink, meshdata, options, overlay
 
 _OF_PARTS = {*options.SCOPE, *options.ROOM}  # they mean nothing where all faces may change
 _TICK = 0.1  # seconds between two looks at a job
@@ -368,6 +368,57 @@ class AUTOCUTS_OT_bake(BackgroundMixin, bpy.types.Operator):
             return {"CANCELLED"}
 
 
+class AUTOCUTS_OT_open_studio(bpy.types.Operator):
+    """Open the selected objects in the studio, which gives maps, seams and pins back while you work there"""
+
+    bl_idname = "autocuts.open_studio"
+    bl_label = "Open in Autocuts"
+
+    @classmethod
+    def poll(cls, context):
+        return MapOperator.poll.__func__(cls, context)
+
+    def execute(self, context):
+        studio = engine.find_studio(api.preferences(context).studio, api.preferences(context).program)
+        if studio is None:
+            self.report({"ERROR"}, "Autocuts was not found: say in the preferences of this add-on where it is")
+            return {"CANCELLED"}
+        try:
+            livelink.open_studio(meshdata.objects_to_map(context), context.scene.autocuts.link_mode, studio)
+        except (livelink.link.LinkError, OSError) as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class _LinkedOperator:
+    @classmethod
+    def poll(cls, _context):
+        return livelink.current is not None and livelink.current.is_open
+
+
+class AUTOCUTS_OT_get_map(_LinkedOperator, bpy.types.Operator):
+    """Get the newest map of the studio now"""
+
+    bl_idname = "autocuts.get_map"
+    bl_label = "Get Map"
+
+    def execute(self, _context):
+        livelink.current.request()
+        return {"FINISHED"}
+
+
+class AUTOCUTS_OT_end_link(_LinkedOperator, bpy.types.Operator):
+    """End the link; the studio keeps the model"""
+
+    bl_idname = "autocuts.end_link"
+    bl_label = "End Link"
+
+    def execute(self, _context):
+        livelink.end()
+        return {"FINISHED"}
+
+
 class AUTOCUTS_OT_stop(bpy.types.Operator):
     """Stop the job with the best map so far"""
 
@@ -399,5 +450,8 @@ CLASSES = (
     AUTOCUTS_OT_stack,
     AUTOCUTS_OT_measure,
     AUTOCUTS_OT_bake,
+    AUTOCUTS_OT_open_studio,
+    AUTOCUTS_OT_get_map,
+    AUTOCUTS_OT_end_link,
     AUTOCUTS_OT_stop,
 )

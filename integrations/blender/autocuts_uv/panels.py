@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import operators, options, overlay, presets
+from . import livelink, operators, options, overlay, presets
 
 
 class AUTOCUTS_PG_settings(bpy.types.PropertyGroup):
@@ -13,6 +13,17 @@ class AUTOCUTS_PG_settings(bpy.types.PropertyGroup):
         "selected": bpy.props.BoolProperty(name="Only selected", description="All other faces keep their UVs"),
         "directory": bpy.props.StringProperty(
             name="Folder", subtype="DIR_PATH", default="//", description="Where baked pictures go"
+        ),
+        "link_mode": bpy.props.EnumProperty(
+            name="Maps come",
+            items=[
+                ("live", "Live", "Each better map, while the studio solves"),
+                ("pause", "On pause", "Whenever the studio has stopped solving"),
+                ("request", "On request", "Only when you press Get Map"),
+            ],
+            default="live",
+            description="When maps of the studio are written to the objects",
+            update=lambda settings, _context: livelink.set_mode(settings.link_mode),
         ),
         "figures": bpy.props.StringProperty(description="Figures of the map that was measured last"),
         "overlay": bpy.props.EnumProperty(
@@ -80,6 +91,25 @@ class _Main(_Sidebar):
             box = layout.box().column(align=True)
             for part in settings.figures.split(", "):
                 box.label(text=part)
+
+
+class _Studio(_Sidebar):
+    """The live link with the studio."""
+
+    bl_label = "Studio"
+
+    def draw(self, context):
+        layout, session = self.layout, livelink.current
+        layout.operator("autocuts.open_studio")
+        _fields(layout, context.scene.autocuts, ("link_mode",))
+        if session is None:
+            return
+        row = layout.row(align=True)
+        row.operator("autocuts.get_map")
+        row.operator("autocuts.end_link")
+        box = layout.box().column(align=True)
+        for text in (session.text, *session.notes[-3:]):
+            box.label(text=text)
 
 
 class _Unwrapping(_Sidebar):
@@ -161,7 +191,7 @@ def _panels():
         made.append(main)
         made += [
             _panel(base, editor, space, main.bl_idname)
-            for base in (_Unwrapping, _Packing, _Taking, _Baking, _Solver)
+            for base in (_Studio, _Unwrapping, _Packing, _Taking, _Baking, _Solver)
         ]
     return tuple(made)
 
@@ -172,7 +202,7 @@ CLASSES = (AUTOCUTS_PG_settings, *_panels())
 def draw_menu(self, context):
     """The entries in the UV menu."""
     self.layout.separator()
-    for kind in operators.CLASSES[:-2]:
+    for kind in operators.CLASSES[:-5]:
         name = kind.__name__.removeprefix("AUTOCUTS_OT_")
         self.layout.operator_context = "INVOKE_DEFAULT"
         _button(self.layout, context.scene.autocuts, name, f"Autocuts: {kind.bl_label}")

@@ -117,6 +117,9 @@ QWidget *PreferencesDialog::generalPage()
     mMaxDistortion->setSingleStep(0.05);
     mSolveOnOpen = new QCheckBox(tr("Start &solving when a model without UVs is opened"));
     mShowTextures = new QCheckBox(tr("Show the te&xtures of a model when it is opened"));
+    mLetProgramsIn = new QCheckBox(tr("&Let other programs of mine link to this one"));
+    mLetProgramsIn->setToolTip(
+        tr("Such as Blender, by Open in Autocuts; nothing is reached from other computers"));
     mAutosave = spinBox(0, PreferenceLimits::maxAutosaveSeconds, tr(" s"));
     mAutosave->setSpecialValueText(tr("Never"));
     mUndoMemory =
@@ -134,6 +137,7 @@ QWidget *PreferencesDialog::generalPage()
     form->addRow(hint(tr("4 is a map without any distortion; 4.1 is hardly seen.")));
     form->addRow(mSolveOnOpen);
     form->addRow(mShowTextures);
+    form->addRow(mLetProgramsIn);
     form = addGroup(layout, tr("Safety"));
     form->addRow(tr("&Autosave at the latest after:"), mAutosave);
     form->addRow(tr("Memory for &undo:"), mUndoMemory);
@@ -183,7 +187,7 @@ void PreferencesDialog::connectAll()
     for (QSpinBox *box : {mInterface, mTextureSize, mMargin, mAutosave, mUndoMemory})
         connect(box, &QSpinBox::valueChanged, this, changed);
     connect(mMaxDistortion, &QDoubleSpinBox::valueChanged, this, changed);
-    for (QCheckBox *box : {mSolveOnOpen, mShowTextures, mColorBlind})
+    for (QCheckBox *box : {mSolveOnOpen, mShowTextures, mLetProgramsIn, mColorBlind})
         connect(box, &QCheckBox::toggled, this, changed);
     for (ColorButton *button : {mSeam, mSelection, mForcedCut, mJoined})
         connect(button, &ColorButton::colorChanged, this, changed);
@@ -205,6 +209,7 @@ void PreferencesDialog::showValues(const PreferenceValues &values)
     mMaxDistortion->setValue(values.maxDistortion);
     mSolveOnOpen->setChecked(values.solveOnOpen);
     mShowTextures->setChecked(values.showTextures);
+    mLetProgramsIn->setChecked(values.letProgramsIn);
     mAutosave->setValue(values.autosaveSeconds);
     mUndoMemory->setValue(values.undoMemoryMb);
     mInterface->setValue(values.interfacePercent);
@@ -227,6 +232,7 @@ PreferenceValues PreferencesDialog::shown() const
     values.maxDistortion = mMaxDistortion->value();
     values.solveOnOpen = mSolveOnOpen->isChecked();
     values.showTextures = mShowTextures->isChecked();
+    values.letProgramsIn = mLetProgramsIn->isChecked();
     values.autosaveSeconds = mAutosave->value();
     values.undoMemoryMb = mUndoMemory->value();
     values.colorBlindHeatMap = mColorBlind->isChecked();

@@ -52,7 +52,7 @@ private:
     QComboBox *mNavigation, *mTheme, *mLanguage;
     QSpinBox *mInterface, *mTextureSize, *mMargin, *mAutosave, *mUndoMemory;
     QDoubleSpinBox *mMaxDistortion;
-    QCheckBox *mSolveOnOpen, *mShowTextures, *mColorBlind;
+    QCheckBox *mSolveOnOpen, *mShowTextures, *mLetProgramsIn, *mColorBlind;
     ColorButton *mSeam, *mSelection, *mForcedCut, *mJoined;
     ShortcutsPage *mShortcutsPage;
 };

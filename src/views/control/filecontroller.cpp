@@ -171,7 +171,7 @@ void FileController::open(const QString &path)
                 takeFile(full, opened.file.stamp, std::move(opened.file.lock));
                 adoptProject(std::move(opened.project).value(), full, nullptr);
             } else
-                adopt(std::move(opened.scene).value());
+                adoptFile(std::move(opened.scene).value());
             tellNotes(opened.notes); // another model takes away what was told before
         });
     if (!started)
@@ -184,7 +184,7 @@ void FileController::openSample(const QString &name)
     if (!scene)
         Q_EMIT failed(scene.error());
     else
-        adopt(std::move(scene).value());
+        adoptFile(std::move(scene).value());
 }
 
 void FileController::recover(const RecoverableSession &session)
@@ -210,7 +210,7 @@ void FileController::recover(const RecoverableSession &session)
         tellBusy(session.file);
 }
 
-void FileController::adopt(Scene scene)
+Result<Done> FileController::adopt(Scene scene, const std::function<void(DocumentState &)> &prepare)
 {
     QStringList notes(scene.notes.begin(), scene.notes.end());
     notes += meshDoctorNotes(scene.mesh->report);
@@ -218,17 +218,24 @@ void FileController::adopt(Scene scene)
     state.solveSettings.maxDistortion = mPreferences.values().maxDistortion;
     state.packingSettings.textureSize = mPreferences.values().textureSize;
     state.packingSettings.margin = mPreferences.values().margin;
+    if (prepare)
+        prepare(state);
     Result<std::unique_ptr<Document>> document = Document::create(std::move(state));
-    if (!document) {
-        Q_EMIT failed(document.error());
-        return;
-    }
+    if (!document)
+        return document.error();
     endAutosave();
     takeFile({}, {}, nullptr);
     mWorkspace.open(std::move(document).value(), {}, std::nullopt, notes);
     beginAutosave(nullptr);
     applyPreferences();
     Q_EMIT opened();
+    return Done();
+}
+
+void FileController::adoptFile(Scene scene)
+{
+    if (const Result<Done> adopted = adopt(std::move(scene)); !adopted)
+        Q_EMIT failed(adopted.error());
 }
 
 //! The session has another file from now on. \param lock null: the lock that is there stays
@@ -352,52 +359,66 @@ bool FileController::isGone() const
 
 void FileController::relink(const QString &meshPath)
 {
-    const Document *document = mWorkspace.document();
-    if (!document)
+    if (!mWorkspace.document())
         return;
-    const bool started = mJobs.start(
-        tr("Reading %1").arg(QFileInfo(meshPath).fileName()),
-        [state = document->state(), meshPath](JobControl &job) -> Result<Relinked> {
-            Result<Scene> scene = readMesh(meshPath, &job.stop(), state.packingSettings.tileHeight());
-            if (!scene)
-                return scene.error();
-            return relinkDocument(state, std::move(scene).value(), [&job] { return job.stop().load(); });
-        },
-        [this, token = document->token()](const Result<Relinked> &linked) { adoptRelinked(linked, token); });
+    const double tileHeight = mWorkspace.document()->packingSettings().tileHeight();
+    const bool started = relinkTo(
+        meshPath, [=](const std::atomic<bool> &stop) { return readMesh(meshPath, &stop, tileHeight); },
+        [this](const Result<QStringList> &lost) {
+            if (!lost)
+                Q_EMIT failed(lost.error());
+        });
     if (!started)
         tellBusy(meshPath);
 }
 
-//! \param token token of the state that was re-linked
-void FileController::adoptRelinked(const Result<Relinked> &linked, const StateToken &token)
+bool FileController::relinkHanded(const Scene &scene, const Taken &taken)
 {
-    if (!linked) {
-        Q_EMIT failed(linked.error());
-        return;
-    }
+    return relinkTo(
+        scene.path, [scene](const std::atomic<bool> &) { return scene; }, taken);
+}
+
+//! \pre a document is open
+bool FileController::relinkTo(const QString &path, const ReadModel &read, const Taken &taken)
+{
+    const Document *document = mWorkspace.document();
+    return mJobs.start(
+        tr("Reading %1").arg(QFileInfo(path).fileName()),
+        [state = document->state(), read](JobControl &job) -> Result<Relinked> {
+            Result<Scene> scene = read(job.stop());
+            if (!scene)
+                return scene.error();
+            return relinkDocument(state, std::move(scene).value(), [&job] { return job.stop().load(); });
+        },
+        [this, taken, token = document->token()](const Result<Relinked> &linked) {
+            taken(adoptRelinked(linked, token));
+        });
+}
+
+//! \param token token of the state that was re-linked \returns what is lost
+Result<QStringList> FileController::adoptRelinked(const Result<Relinked> &linked, const StateToken &token)
+{
+    if (!linked)
+        return linked.error();
     // A running solve counts as an edit that is not in the document yet.
-    if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing()) {
-        Q_EMIT failed(
-            Error{tr("The model was not re-linked, because the session was edited while the model was "
-                     "read"),
-                  linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")});
-        return;
-    }
-    if (const QString problem = linked->state.validate(); !problem.isEmpty()) {
-        Q_EMIT failed(Error{problem, linked->state.scene.path, 0, {}});
-        return;
-    }
+    if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing())
+        return Error{tr("The model was not re-linked, because the session was edited while the model was "
+                        "read"),
+                     linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")};
+    if (const QString problem = linked->state.validate(); !problem.isEmpty())
+        return Error{problem, linked->state.scene.path, 0, {}};
     pushCommand(std::make_unique<ReplaceModel>(*mWorkspace.document(), linked->state));
     const QString name = QFileInfo(linked->state.scene.path).fileName();
     const QStringList lines = linked->report.lines();
     if (lines.isEmpty()) {
         Q_EMIT done(tr("Re-linked to %1: everything was kept").arg(name));
-        return;
+        return lines;
     }
     Selection items;
     items.mode = SelectionMode::Faces;
     items.faces = linked->report.newFaces;
     Q_EMIT noticed(tr("Re-linked to %1: %2").arg(name, lines.join(QStringLiteral("; "))), items);
+    return lines;
 }
 
 //! The files that an export must not replace. Looks at the disk when it is called.

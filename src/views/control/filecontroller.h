@@ -68,6 +68,14 @@ public:
     //! Replaces the session's model by a version changed in another program, as one undo entry. The steering
     //! is transferred. Refused when the session is edited while the model is read.
     void relink(const QString &meshPath);
+    //! What became of a model: what is lost, one line each, or why it was not taken.
+    using Taken = std::function<void(const Result<QStringList> &lost)>;
+    //! The same for a model that another program hands over. \param taken is not called when the job is
+    //! cancelled or fails \returns false when another file is being read or written
+    bool relinkHanded(const Scene &scene, const Taken &taken);
+    //! Opens a model that was made or read. \param prepare changes the state that it begins with
+    //! \returns why it cannot be opened
+    Result<Done> adopt(Scene scene, const std::function<void(DocumentState &)> &prepare = {});
     //! Saves the current state of the session off the GUI thread. Emits done() or failed() afterwards.
     //! When another program has changed the session's file since it was opened or saved, nothing is written,
     //! and changedOnDisk() is emitted. \param overwrite replace it all the same
@@ -106,7 +114,10 @@ Q_SIGNALS:
     void opened();
 
 private:
-    void adopt(Scene scene);
+    //! Reads the model to re-link to, on the thread of a job.
+    using ReadModel = std::function<Result<Scene>(const std::atomic<bool> &stop)>;
+    bool relinkTo(const QString &path, const ReadModel &read, const Taken &taken);
+    void adoptFile(Scene scene);
     void takeFile(const QString &path, const FileStamp &stamp, std::shared_ptr<SessionLock> lock);
     std::function<QStringList(bool ownModel)> filesToKeep() const;
     void adoptProject(LoadedSession project, const QString &sessionPath, const RecoverableSession *recovered);
@@ -115,7 +126,7 @@ private:
     void tellBusy(const QString &path);
     void tellNotes(const QStringList &notes);
     void tellWritten(const Result<Done> &written, const QString &path);
-    void adoptRelinked(const Result<Relinked> &linked, const StateToken &token);
+    Result<QStringList> adoptRelinked(const Result<Relinked> &linked, const StateToken &token);
     void saveForRecovery(const QString &path, const Autosave::Saved &saved);
     SessionToSave sessionNow(const QString &sessionPath);
     void endAutosave();

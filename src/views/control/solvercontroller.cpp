@@ -196,6 +196,12 @@ void SolverController::pause()
     endPause();
 }
 
+void SolverController::pauseAtOnce()
+{
+    pause();
+    endPause(true);
+}
+
 void SolverController::toggle()
 {
     if (mRunning)

@@ -78,6 +78,10 @@ public:
     //! is dropped when the solve fails or the document is replaced.
     void whenPaused(std::function<void()> then);
 
+    //! Pauses with the newest map, also when that does not obey the last edits of the steering yet. For what
+    //! cannot wait and runs the solver again.
+    void pauseAtOnce();
+
     //! Pulls soup corners of the running solve to positions by springs. Pulls belong to a gesture, not to the
     //! document. The run does not stop by itself until an empty list removes them. When the run ends, they
     //! are removed as well.

@@ -5,6 +5,7 @@
 #include "views/actions/studioactions.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
+#include "views/link/linkbutton.h"
 #include "views/panels/doctorpanel.h"
 #include "views/panels/historypanel.h"
 #include "views/panels/islandpanel.h"
@@ -80,6 +81,7 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     mStudioActions = std::make_unique<StudioActions>(context(), *mQuestions, recoveryFolder);
+    mLink = std::make_unique<LinkController>(context(), [this] { return mStudioActions->file().mayLeave(); });
     makeViews();
     makePanels();
     makeMenus();
@@ -114,6 +116,7 @@ MainWindow::~MainWindow()
     for (QDockWidget *dock : mDocks)
         delete dock;
     delete mStatusBar;
+    mLink.reset(); // it answers programs about a document that is still there
     delete mSplitter;
 }
 
@@ -229,6 +232,7 @@ void MainWindow::makePanels()
 
     mStatusBar = new StatusBar(studio, this);
     setStatusBar(mStatusBar);
+    mStatusBar->addPermanentWidget(new LinkButton(*mLink));
     connect(&mTools, &ToolManager::hintChanged, mStatusBar, &StatusBar::setHint);
 }
 
@@ -320,6 +324,9 @@ void MainWindow::connectMessages()
     connect(&mMap, &MapController::failed, &mFiles, &FileController::saveChangesForRecovery);
     connect(&mStudioActions->islands(), &IslandActions::said, this, say);
     connect(&mFiles, &FileController::done, this, say);
+    connect(mLink.get(), &LinkController::said, this, say);
+    connect(mLink.get(), &LinkController::failed, mNotice,
+            [this](const Error &error) { mNotice->showNotice(error.toString()); });
     // What is said of a map or a job ends with that map, or when the next job begins.
     const auto ofMap = std::make_shared<bool>(false);
     const auto showOfMap = [this, ofMap](const QString &message, const Selection &items) {

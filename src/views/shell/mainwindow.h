@@ -11,6 +11,7 @@
 #include "views/control/solvercontroller.h"
 #include "views/control/studiocontext.h"
 #include "views/control/workspace.h"
+#include "views/link/linkcontroller.h"
 #include "views/state/viewstate.h"
 #include "views/ui/questions.h"
 
@@ -50,6 +51,7 @@ public:
     MeshView &meshView() { return *mMeshView; }
     UvView &uvView() { return *mUvView; }
     ToolManager &tools() { return mTools; }
+    LinkController &link() { return *mLink; }
     //! Arranges the window as at the first start. \param space of the screen
     void arrangeFor(const QSize &space);
 
@@ -95,6 +97,7 @@ private:
     LiveBake mLiveBake;
     ToolManager mTools;
     std::unique_ptr<StudioActions> mStudioActions;
+    std::unique_ptr<LinkController> mLink;
 
     NoticeBar *mNotice = nullptr;
     QSplitter *mSplitter = nullptr;

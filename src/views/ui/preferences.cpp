@@ -30,6 +30,7 @@ const QString autosaveKey = QStringLiteral("values/autosaveSeconds");
 const QString undoMemoryKey = QStringLiteral("values/undoMemoryMb");
 const QString solveOnOpenKey = QStringLiteral("values/solveOnOpen");
 const QString showTexturesKey = QStringLiteral("values/showTextures");
+const QString letProgramsInKey = QStringLiteral("values/letProgramsIn");
 const QString recentKey = QStringLiteral("files/recent");
 const QString folderKey = QStringLiteral("files/folder");
 const QString shortcutGroup = QStringLiteral("shortcuts");
@@ -113,6 +114,7 @@ PreferenceValues readValues(const QSettings &settings)
         readInt(settings, undoMemoryKey, v.undoMemoryMb, Limits::minUndoMemoryMb, Limits::maxUndoMemoryMb);
     v.solveOnOpen = settings.value(solveOnOpenKey, v.solveOnOpen).toBool();
     v.showTextures = settings.value(showTexturesKey, v.showTextures).toBool();
+    v.letProgramsIn = settings.value(letProgramsInKey, v.letProgramsIn).toBool();
     return v;
 }
 
@@ -135,6 +137,7 @@ void writeValues(QSettings &settings, const PreferenceValues &v)
     settings.setValue(undoMemoryKey, v.undoMemoryMb);
     settings.setValue(solveOnOpenKey, v.solveOnOpen);
     settings.setValue(showTexturesKey, v.showTextures);
+    settings.setValue(letProgramsInKey, v.letProgramsIn);
 }
 
 } // namespace

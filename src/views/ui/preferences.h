@@ -32,8 +32,9 @@ struct PreferenceValues
     double maxDistortion = 4.1;               //!< initial distortion budget
     int autosaveSeconds = 20;                 //!< 0: no autosave
     int undoMemoryMb = 400;
-    bool solveOnOpen = false; //!< start solving when a model without UVs is opened
-    bool showTextures = true; //!< show the textures that a model names when it is opened
+    bool solveOnOpen = false;  //!< start solving when a model without UVs is opened
+    bool showTextures = true;  //!< show the textures that a model names when it is opened
+    bool letProgramsIn = true; //!< other programs of the user may link to the studio
 
     bool operator==(const PreferenceValues &) const = default;
 };

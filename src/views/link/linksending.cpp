@@ -1,0 +1,124 @@
+#include "views/link/linksending.h"
+
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/link/linkmerging.h"
+#include "views/ui/pooltask.h"
+
+#include <QPointer>
+
+#include <utility>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr int togetherFor = 40; // milliseconds; chosen by hand
+
+struct Compared
+{
+    link::SharedModel shared; //!< what the program will have
+    QByteArray frames;
+};
+
+} // namespace
+
+LinkSending::LinkSending(const StudioContext &context, Clients clients, QObject *parent)
+    : QObject(parent), mContext(context), mClients(std::move(clients))
+{
+    mSoon.setSingleShot(true);
+    mSoon.setInterval(togetherFor);
+    connect(&mSoon, &QTimer::timeout, this, &LinkSending::sendNow);
+    connect(&mContext.workspace, &Workspace::documentReplaced, this, &LinkSending::sendSoon);
+    connect(&mContext.workspace, &Workspace::changed, this, &LinkSending::sendSoon);
+    connect(&mContext.workspace, &Workspace::selectionChanged, this, &LinkSending::sendSoon);
+    connect(&mContext.solver, &SolverController::statusChanged, this, &LinkSending::sendSoon);
+    connect(&mContext.solver, &SolverController::stateChanged, this, &LinkSending::sendSoon);
+}
+
+void LinkSending::sendSoon()
+{
+    if (!mSoon.isActive())
+        mSoon.start();
+}
+
+void LinkSending::sendNow()
+{
+    const Document *document = mContext.workspace.document();
+    for (LinkClient *client : mClients()) {
+        if (client->shared.serial == 0)
+            continue;
+        if (!document || document->state().scene.mesh != client->shared.mesh)
+            tellLeft(*client);
+        else if (client->isSending || !client->isIdle())
+            client->isLate = true;
+        else if (client->asks || client->mode() != LinkMode::Request)
+            sendTo(*client);
+    }
+}
+
+//! The document has another model, or another state of it, than the program.
+void LinkSending::tellLeft(LinkClient &client)
+{
+    if (std::exchange(client.wasLeft, true))
+        return;
+    link::Message left(u"left"_s);
+    left.set(u"serial"_s, client.shared.serial);
+    left.set(u"model"_s, mContext.workspace.document() ? mContext.workspace.name() : QString());
+    client.send(left);
+}
+
+//! What is to be compared for a program: the newest map, or none while it waits for a pause.
+link::MapToSend LinkSending::mapFor(const LinkClient &client) const
+{
+    const Document &document = *mContext.workspace.document();
+    const SolverController &solver = mContext.solver;
+    const bool solving = solver.isRunning() || solver.isPausing();
+    link::MapToSend send = toSend(document);
+    send.always = client.asks;
+    send.solving = solving;
+    if (solving && solver.map() && (client.asks || client.mode() == LinkMode::Live))
+        send.uv = solver.map()->uv;
+    else if (!solving || client.asks)
+        send.uv = document.uv();
+    return send;
+}
+
+void LinkSending::sendTo(LinkClient &client)
+{
+    client.wasLeft = false;
+    const SolverController &solver = mContext.solver;
+    const Document &document = *mContext.workspace.document();
+    const LinkClient::Seen now{document.token(), document.selection().faces, solver.map(), solver.isRunning(),
+                               client.revision};
+    if (std::exchange(client.seen, now) == now && !client.asks)
+        return;
+    client.isSending = true;
+    auto work = [shared = client.shared, send = mapFor(client)]() {
+        Compared compared{shared, {}};
+        compared.frames = link::messagesFor(compared.shared, send);
+        return compared;
+    };
+    client.asks = false;
+    const QPointer<LinkSending> self(this);
+    const QPointer<LinkClient> to(&client);
+    const auto take = [self, to, revision = client.revision](Compared compared) {
+        if (!self || !to)
+            return;
+        to->isSending = false;
+        if (to->revision == revision) {
+            to->shared = std::move(compared.shared);
+            to->sendBytes(compared.frames);
+        }
+        if (std::exchange(to->isLate, false) || to->revision != revision)
+            self->sendSoon();
+    };
+    runOnPool(backgroundPool(), std::move(work), take, [to](const QString &problem) {
+        if (to)
+            to->end(problem);
+    });
+}
+
+} // namespace autocuts

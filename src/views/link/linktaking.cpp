@@ -1,0 +1,244 @@
+#include "views/link/linktaking.h"
+
+#include "views/control/filecontroller.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/link/linkmerging.h"
+#include "views/ui/pooltask.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
+#include <utility>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr int mostTries = 20; // of a re-link that edits overtake; chosen by hand
+
+//! True when the scene is another state of the document's model.
+bool isSameModel(const Document &document, const Scene &scene)
+{
+    const Scene &own = document.state().scene;
+    return own.path == scene.path &&
+           std::ranges::find_first_of(own.objectNames, scene.objectNames) != own.objectNames.end();
+}
+
+} // namespace
+
+LinkTaking::LinkTaking(const StudioContext &context, std::function<bool()> mayLeave, QObject *parent)
+    : QObject(parent), mContext(context), mMayLeave(std::move(mayLeave))
+{
+    mSoon.setSingleShot(true);
+    mSoon.setInterval(0);
+    connect(&mSoon, &QTimer::timeout, this, &LinkTaking::proceed);
+    const auto soon = [this] { mSoon.start(); };
+    connect(&mContext.solver, &SolverController::stateChanged, this, soon);
+    connect(&mContext.files.jobs(), &JobRunner::busyChanged, this, soon);
+    connect(&mContext.map.jobs(), &JobRunner::busyChanged, this, soon);
+}
+
+void LinkTaking::take(LinkClient *client, const link::Message &message)
+{
+    const Document *document = mContext.workspace.document();
+    auto work = [message, own = document ? document->state().scene.mesh : nullptr]() -> Result<Handed> {
+        Result<link::HandedModel> model = link::readHandedModel(message);
+        if (!model)
+            return model.error();
+        const bool equal = own && samePolygons(*own, *model->scene.mesh);
+        return Handed{nullptr, std::move(model).value(), equal ? own : nullptr};
+    };
+    const QPointer<LinkTaking> self(this);
+    const QPointer<LinkClient> from(client);
+    auto add = [self, from](Result<Handed> handed) {
+        if (self)
+            self->add(from, std::move(handed));
+    };
+    runOnPool(backgroundPool(), std::move(work), std::move(add), [from](const QString &problem) {
+        if (from)
+            from->end(problem);
+    });
+}
+
+void LinkTaking::add(const QPointer<LinkClient> &client, Result<Handed> handed)
+{
+    if (!client)
+        return;
+    if (!handed) {
+        client->end(handed.error().message);
+        return;
+    }
+    mHanded.push_back(std::move(handed).value());
+    mHanded.back().client = client;
+    proceed();
+}
+
+//! Takes the first model as soon as nothing else changes the document.
+void LinkTaking::proceed()
+{
+    if (mAsking)
+        return;
+    if (mTaking) {
+        // The job was cancelled or failed, where it has not answered.
+        if (!mContext.files.jobs().isBusy())
+            refuse({tr("the model was not taken over"), {}, 0, tr("Hand it over again")});
+        return;
+    }
+    while (!mHanded.empty() && !mHanded.front().client)
+        mHanded.pop_front();
+    if (mHanded.empty()) {
+        if (std::exchange(mRunAgain, false))
+            mContext.solver.run();
+        return;
+    }
+    if (mContext.files.jobs().isBusy() || mContext.map.jobs().isBusy())
+        return;
+    SolverController &solver = mContext.solver;
+    if (mustPause(mHanded.front()) && (solver.isRunning() || solver.isPausing())) {
+        mRunAgain |= solver.isRunning();
+        solver.pauseAtOnce();
+        return;
+    }
+    takeFirst();
+}
+
+//! A solve is not disturbed by what it has already.
+bool LinkTaking::mustPause(const Handed &handed) const
+{
+    const Document *document = mContext.workspace.document();
+    const bool same = document && handed.equal == document->state().scene.mesh;
+    return !same || !handed.model.scene.uvSets.empty();
+}
+
+void LinkTaking::takeFirst()
+{
+    const Handed &handed = mHanded.front();
+    const Document *document = mContext.workspace.document();
+    const bool same = document && isSameModel(*document, handed.model.scene);
+    if (same && handed.equal == document->state().scene.mesh)
+        takeUnchanged();
+    else if (same)
+        relink();
+    else if (handed.model.opens || !document)
+        open();
+    else
+        refuse({tr("the studio has another model"), {}, 0, tr("Open this one in Autocuts again")});
+}
+
+void LinkTaking::takeUnchanged()
+{
+    mHanded.front().model.scene.mesh = mHanded.front().equal;
+    share(How::Unchanged);
+    answer(How::Unchanged, {});
+}
+
+void LinkTaking::relink()
+{
+    mTaking = true;
+    ++mHanded.front().tries;
+    const bool started = mContext.files.relinkHanded(
+        mHanded.front().model.scene, [this, before = mContext.workspace.document()->token()](
+                                         const Result<QStringList> &lost) { relinked(lost, before); });
+    if (!started)
+        mTaking = false; // another file was faster: when that is read
+}
+
+void LinkTaking::relinked(const Result<QStringList> &lost, const StateToken &before)
+{
+    const bool overtaken =
+        !mContext.workspace.isInState(before) || mContext.solver.isRunning() || mContext.solver.isPausing();
+    mTaking = false;
+    if (!lost && overtaken && mHanded.front().tries < mostTries) {
+        mSoon.start();
+    } else if (!lost) {
+        refuse(lost.error());
+    } else {
+        share(How::Relinked);
+        answer(How::Relinked, lost.value());
+    }
+}
+
+void LinkTaking::open()
+{
+    mRunAgain = false; // another model
+    mAsking = true;
+    const bool may = mMayLeave();
+    mAsking = false;
+    const link::HandedModel &model = mHanded.front().model;
+    if (!mHanded.front().client) {
+        mSoon.start(); // it has gone while the user was asked
+        return;
+    }
+    if (!may) {
+        refuse({tr("the user keeps the open session"), {}, 0, tr("Save or close it first")});
+        return;
+    }
+    mContext.map.jobs().abandon();
+    const Result<Done> opened = mContext.files.adopt(
+        model.scene, [&](DocumentState &state) { prepareMarks(state, *model.edges, model.marks); });
+    if (!opened) {
+        refuse(opened.error());
+        return;
+    }
+    share(How::Opened);
+    answer(How::Opened, {});
+}
+
+//! Notes what the program has, and puts its own into the document.
+void LinkTaking::share(How how)
+{
+    const Handed &handed = mHanded.front();
+    const link::HandedModel &model = handed.model;
+    if (!handed.client)
+        return;
+    Document &document = *mContext.workspace.document();
+    link::SharedModel &shared = handed.client->shared;
+    shared = {model.serial, model.scene.mesh, model.edges, {}, {}, false};
+    shared.marks.apply(model.marks);
+    if (!model.scene.uvSets.empty())
+        shared.uvs = link::toLinkUvs(model.scene.uvSets.front().uv, 1);
+    ++handed.client->revision;
+    if (how == How::Opened)
+        return;
+    applyMarks(document, *model.edges, model.marks);
+    if (!model.scene.uvSets.empty())
+        applyUvs(document, model.scene.uvSets.front().uv);
+}
+
+void LinkTaking::answer(How how, const QStringList &lost)
+{
+    if (LinkClient *client = mHanded.front().client) {
+        link::Message taken(u"taken"_s);
+        taken.set(u"serial"_s, mHanded.front().model.serial);
+        taken.set(u"how"_s, how == How::Opened     ? u"opened"_s
+                            : how == How::Relinked ? u"relinked"_s
+                                                   : u"unchanged"_s);
+        taken.set(u"lost"_s, QJsonArray::fromStringList(lost));
+        client->send(taken);
+        client->wasLeft = false;
+        Q_EMIT this->taken(client);
+    }
+    endFirst();
+}
+
+void LinkTaking::refuse(const Error &error)
+{
+    mTaking = false;
+    if (LinkClient *client = mHanded.front().client)
+        client->refuse(mHanded.front().model.serial, error);
+    endFirst();
+}
+
+void LinkTaking::endFirst()
+{
+    if (LinkClient *client = mHanded.front().client)
+        client->next();
+    mHanded.pop_front();
+    mSoon.start();
+}
+
+} // namespace autocuts
