@@ -58,6 +58,15 @@ QStringList linesWith(const QByteArray &output, QLatin1StringView beginning)
     return lines;
 }
 
+//! What check says that --fail-on names.
+QStringList findings(const QByteArray &errors)
+{
+    QStringList lines = linesWith(errors, "autocuts-cli: "_L1);
+    lines.removeIf(
+        [](const QString &line) { return line.startsWith("warning: "_L1) || line.startsWith("note: "_L1); });
+    return lines;
+}
+
 } // namespace
 
 qint64 expectedMemory(const FileTask &task)
@@ -99,7 +108,7 @@ QStringList FileRunner::argumentsFor(const FileTask &task, const QString &report
 {
     const CliCommand &command = commandOf(mChoice);
     QStringList arguments = QStringList{command.name} + mChoice.passed;
-    if (command.takes(OptionGroup::Output))
+    if (command.takes(OptionGroup::Output) && !mFolder.isEmpty())
         arguments << u"-o"_s << QDir(mFolder).filePath(task.output);
     if (command.takes(OptionGroup::Reporting))
         arguments << u"--report"_s << report;
@@ -160,7 +169,8 @@ void FileRunner::start(const FileTask &task)
     auto &running = *mRunning.emplace_back(std::make_unique<Running>());
     running.task = task;
     running.report = mReports.filePath(pictureName(task) + u".json"_s);
-    QDir().mkpath(QFileInfo(QDir(mFolder).filePath(task.output)).path());
+    if (!mFolder.isEmpty())
+        QDir().mkpath(QFileInfo(QDir(mFolder).filePath(task.output)).path());
     running.process.setChildProcessModifier(endWithParent);
     running.clock.start();
     running.process.start(QCoreApplication::applicationFilePath(), argumentsFor(task, running.report));
@@ -221,7 +231,7 @@ FileResult FileRunner::resultOf(Running &running) const
     else if (code == 3)
         result.status = u"bound_missed"_s;
     else if (code == 4)
-        failed(u"failed"_s, u"the map is not as it is to be"_s);
+        failed(u"check_failed"_s, findings(errors).join(u"; "_s));
     else
         failed(u"failed"_s, linesWith(errors, "autocuts-cli: "_L1).value(0, u"exit code %1"_s.arg(code)));
     return result;
@@ -229,7 +239,7 @@ FileResult FileRunner::resultOf(Running &running) const
 
 void FileRunner::startPicture(Running &running)
 {
-    const bool writesModel = commandOf(mChoice).takes(OptionGroup::Output) &&
+    const bool writesModel = commandOf(mChoice).takes(OptionGroup::Output) && !mFolder.isEmpty() &&
                              !QFileInfo(QDir(mFolder).filePath(running.task.output)).isDir() &&
                              mChoice.command != u"lightbake" && mChoice.command != u"thumbnail";
     running.drawing = true;
