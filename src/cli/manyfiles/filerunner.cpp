@@ -1,6 +1,7 @@
 #include "cli/manyfiles/filerunner.h"
 
 #include "cli/clitable.h"
+#include "cli/manyfiles/machine.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -11,9 +12,6 @@
 #include <QTimer>
 
 #include <algorithm>
-#include <csignal>
-#include <sys/prctl.h>
-#include <unistd.h>
 
 namespace autocuts::manyfiles {
 
@@ -25,14 +23,6 @@ constexpr int lookEvery = 50; //!< milliseconds
 constexpr qint64 programMemory = 100'000'000;
 constexpr qint64 memoryPerByte = 150;
 constexpr int pictureSide = 160;
-
-//! Runs in the new process. Its files are worked on for the batch only: without it nothing would note what
-//! comes of them, and Ctrl-C on a terminal is for the batch, which ends the others itself.
-void endWithParent()
-{
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    ::setpgid(0, 0);
-}
 
 const CliCommand &commandOf(const ManyChoice &choice)
 {
@@ -171,7 +161,7 @@ void FileRunner::start(const FileTask &task)
     running.report = mReports.filePath(pictureName(task) + u".json"_s);
     if (!mFolder.isEmpty())
         QDir().mkpath(QFileInfo(QDir(mFolder).filePath(task.output)).path());
-    running.process.setChildProcessModifier(endWithParent);
+    endWithProgram(running.process);
     running.clock.start();
     running.process.start(QCoreApplication::applicationFilePath(), argumentsFor(task, running.report));
 }

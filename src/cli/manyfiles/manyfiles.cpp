@@ -1,6 +1,7 @@
 #include "cli/manyfiles/manyfiles.h"
 
 #include "cli/manyfiles/filerunner.h"
+#include "cli/manyfiles/machine.h"
 #include "cli/manyfiles/runreport.h"
 #include "cli/progressline.h"
 #include "model/io/savefile.h"
@@ -14,7 +15,6 @@
 #include <QThread>
 
 #include <algorithm>
-#include <unistd.h>
 
 namespace autocuts::manyfiles {
 
@@ -28,11 +28,6 @@ constexpr qint64 weightOfFile = 20'000;
 qint64 weightOf(const FileTask &task)
 {
     return task.bytes + weightOfFile;
-}
-
-qint64 freeMemory()
-{
-    return qint64(sysconf(_SC_AVPHYS_PAGES)) * sysconf(_SC_PAGESIZE);
 }
 
 QString durationText(double seconds)

@@ -1,11 +1,11 @@
 #include "cli/manyfiles/runjournal.h"
 
+#include "model/io/filecalls.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
-
-#include <unistd.h>
 
 namespace autocuts::manyfiles {
 
@@ -185,7 +185,7 @@ Result<FileResults> RunJournal::resume(const ManyChoice &choice)
 Result<Done> RunJournal::add(const FileResult &result)
 {
     const QByteArray line = QJsonDocument(result.toJson()).toJson(QJsonDocument::Compact) + '\n';
-    if (mFile.write(line) != line.size() || !mFile.flush() || ::fsync(mFile.handle()) != 0)
+    if (mFile.write(line) != line.size() || !mFile.flush() || !filecalls::reachesDisk(mFile))
         return Error{u"the journal cannot be written: %1"_s.arg(mFile.errorString()), mPath, 0,
                      u"Make room, then go on with --resume"_s};
     return Done{};
