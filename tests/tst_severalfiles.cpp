@@ -181,6 +181,16 @@ private Q_SLOTS:
         QVERIFY(!QFileInfo::exists(folder));
     }
 
+    //! A folder is not made by mistake where a file was meant.
+    void theOutputsNeedAFolder()
+    {
+        const QString file = out(u"both.obj"_s);
+        const test::CliRun refused = run(u"pack %1 %2 -o %3"_s.arg(mFiles.map(1), mFiles.map(2), file));
+        QCOMPARE(refused.code, 1);
+        QVERIFY2(refused.err.contains(u"several files need a folder"_s), qPrintable(refused.err));
+        QVERIFY(!QFileInfo::exists(file));
+    }
+
     //! No message or report names a file that the user does not know.
     void streamsHaveNames()
     {

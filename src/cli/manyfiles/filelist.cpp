@@ -24,8 +24,7 @@ bool hasWildcards(const QString &path)
 
 bool isModel(const QString &path, const ManyChoice &choice)
 {
-    static const QStringList sessions{QLatin1String(projectSuffix)}, all = readableFormats() + sessions;
-    return (choice.command == u"replay" ? sessions : all).contains(QFileInfo(path).suffix().toLower());
+    return choice.command == u"replay" ? isProjectPath(path) : isModelName(path);
 }
 
 QString expression(const QString &pattern)
@@ -128,6 +127,12 @@ private:
 };
 
 } // namespace
+
+bool isModelName(const QString &path)
+{
+    static const QStringList formats = readableFormats() + QStringList{QLatin1String(projectSuffix)};
+    return formats.contains(QFileInfo(path).suffix().toLower());
+}
 
 bool matchesPattern(const QString &path, const QString &pattern)
 {

@@ -26,6 +26,9 @@ struct FileTask
 //! \returns each file once, by name; an Error where there is none, or two files would have one output
 Result<std::vector<FileTask>> fileTasks(const ManyChoice &choice, const QString &folder);
 
+//! True for a path that has the suffix of a model.
+bool isModelName(const QString &path);
+
 //! Makes a path match what it names by * (within a folder), ** (any folders), ? and [...].
 bool matchesPattern(const QString &path, const QString &pattern);
 

@@ -117,6 +117,9 @@ public:
             if (mChoice.parts == 0 || int(i % std::size_t(mChoice.parts)) == mChoice.part - 1)
                 mTasks.push_back(tasks.value()[i]);
         }
+        if (isModelName(mOptions.output) && !QFileInfo(mOptions.output).isDir())
+            return fail({u"several files need a folder, and this looks like a file"_s, mOptions.output, 0,
+                         u"Name a folder behind -o, with a slash at its end"_s});
         if (mOptions.dryRun)
             return sayPlan();
         for (const QString &folder : {mOptions.output, mNotes}) {
@@ -164,6 +167,8 @@ private:
             else
                 mOut << task.input << " -> " << QDir(mOptions.output).filePath(task.output) << '\n';
         }
+        if (!mChoice.report.isEmpty())
+            mOut << "all of them -> " << mChoice.report << '\n';
         mOut << Qt::flush;
         return 0;
     }
