@@ -2,16 +2,21 @@
 add_library(autocuts_flags INTERFACE)
 add_library(Autocuts::Flags ALIAS autocuts_flags)
 
-target_compile_options(autocuts_flags INTERFACE
-  -Wall -Wextra -Wpedantic
-  # A unity build compiles several sources as one file: GCC would warn of a local name that hides a name of
-  # another source.
-  $<IF:$<BOOL:${AUTOCUTS_UNITY}>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
-  # No contraction into fused multiply-adds: the same sum gives the same bits on every machine,
-  # and the overlap tests rely on exact zeros for shared edges.
-  -ffp-contract=off)
+# No contraction into fused multiply-adds: the same sum gives the same bits on every machine, and the overlap
+# tests rely on exact zeros for shared edges.
+if(MSVC)
+  target_compile_options(autocuts_flags INTERFACE /W4 /fp:precise /utf-8 /permissive- /bigobj /EHsc)
+  target_compile_definitions(autocuts_flags INTERFACE NOMINMAX WIN32_LEAN_AND_MEAN _USE_MATH_DEFINES)
+else()
+  target_compile_options(autocuts_flags INTERFACE
+    -Wall -Wextra -Wpedantic
+    # A unity build compiles several sources as one file: GCC would warn of a local name that hides a name of
+    # another source.
+    $<IF:$<BOOL:${AUTOCUTS_UNITY}>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
+    -ffp-contract=off)
+endif()
 if(AUTOCUTS_WERROR)
-  target_compile_options(autocuts_flags INTERFACE -Werror)
+  target_compile_options(autocuts_flags INTERFACE $<IF:$<BOOL:${MSVC}>,/WX,-Werror>)
 endif()
 target_compile_definitions(autocuts_flags INTERFACE
   QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_URL_CAST_FROM_STRING

@@ -2,7 +2,7 @@
 #include "cli/clihelp.h"
 #include "cli/clitable.h"
 #include "cli/commandline.h"
-#include "cli/presets.h"
+#include "jobs/presets.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -260,22 +260,20 @@ private Q_SLOTS:
         QTest::newRow("check") << u"check"_s
                                << words(u"--texture-size --json --uv-set --only --objects --materials "
                                         "--report --fail-on"_s);
-        QTest::newRow("convert") << u"convert"_s
-                                 << QStringList{u"-o"_s, u"--uv-set"_s, u"--force"_s, u"--make-unique"_s};
+        QTest::newRow("convert") << u"convert"_s << words(u"-o --uv-set --force --make-unique --report"_s);
         QTest::newRow("thumbnail") << u"thumbnail"_s << QStringList{u"-o"_s, u"--size"_s, u"--show"_s};
-        QTest::newRow("batch")
-            << u"batch"_s
-            << words(u"-o --report --jobs --memory --file-limit --resume --retry --format --dry-run "
-                     "--part --journal --elsewhere"_s);
-        for (const QString &name : {u"replay"_s, u"sample"_s})
-            QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
+        QTest::newRow("batch") << u"batch"_s
+                               << words(u"-o --report --jobs --memory --file-limit --resume --retry --format "
+                                        "--part --journal --elsewhere"_s);
+        QTest::newRow("replay") << u"replay"_s << QStringList{u"-o"_s, u"--report"_s};
+        QTest::newRow("sample") << u"sample"_s << QStringList{u"-o"_s};
     }
     void commandsTakeTheContractsOptions()
     {
         QFETCH(QString, command);
         QFETCH(QStringList, names);
-        names << u"--preset"_s << u"--show-settings"_s << u"--quiet"_s << u"--input-format"_s
-              << u"--output-format"_s << u"--progress"_s;
+        names << u"--preset"_s << u"--show-settings"_s << u"--dry-run"_s << u"--quiet"_s
+              << u"--input-format"_s << u"--output-format"_s << u"--progress"_s;
         const auto row = std::find_if(cliCommands().begin(), cliCommands().end(),
                                       [&](const CliCommand &c) { return c.name == command; });
         QVERIFY(row != cliCommands().end());
@@ -329,6 +327,45 @@ private Q_SLOTS:
         QCOMPARE(o.many->format, u"glb"_s);
         QCOMPARE(o.many->jobs, 3);
         QCOMPARE(o.output, u"c"_s);
+    }
+
+    //! Several inputs, and one for a folder, are what a batch would do.
+    void severalInputsAreABatch_data()
+    {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<QString>("batch");
+        const auto row = [](const char *line, const char *batch) {
+            QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(batch);
+        };
+        row("pack a --margin 4 b -o c --report d.csv", "batch pack a b -o c --margin 4 --report d.csv");
+        row("pack a -o c/ --margin=4", "batch pack a -o c/ --margin 4");
+        row("convert a b -o c --output-format glb",
+            "batch convert a b -o c --output-format glb --format glb");
+        row("check a b --json --fail-on flips", "batch check a b --fail-on flips --json");
+        row("replay a b", "batch replay a b");
+        row("bake a b -o c/ --bits 16", "batch bake a b -o c/ --bits 16");
+    }
+    void severalInputsAreABatch()
+    {
+        QFETCH(QString, line);
+        QFETCH(QString, batch);
+        const CliOptions made = parsed(line.toLatin1().constData()),
+                         expected = parsed(batch.toLatin1().constData());
+        QCOMPARE(made.command, CliOptions::Command::Batch);
+        QCOMPARE(made.each, expected.each);
+        QCOMPARE(made.output, expected.output);
+        QCOMPARE(made.json, expected.json);
+        QCOMPARE(made.many->command, expected.many->command);
+        QCOMPARE(made.many->inputs, expected.many->inputs);
+        QCOMPARE(made.many->passed, expected.many->passed);
+        QCOMPARE(made.many->format, expected.many->format);
+        QCOMPARE(made.many->report, expected.many->report);
+    }
+
+    void aFolderIsNoBatchWhereTheCommandNeedsOne()
+    {
+        QVERIFY(!parsed("bake a -o b/").many);
+        QVERIFY(!parsed("transfer a --from b --textures all -o c/").many);
     }
 
     void helpOfOneCommandHasItsOptionsOnly()
@@ -477,7 +514,6 @@ private Q_SLOTS:
         row("unfold a -o b", "unknown command \"unfold\"");
         row("unwrap", "no input");
         row("unwrap a", "no output");
-        row("unwrap a b -o c", "\"b\" follows \"a\"");
         row("unwrap a -o", "-o needs a value");
         row("unwrap a -o --quiet", "-o needs a value");
         row("unwrap a -o b --margin", "--margin needs a value");
@@ -537,12 +573,22 @@ private Q_SLOTS:
         row("check a -o b", "-o does not belong to this command");
         row("check", "no input");
         row("batch", "batch needs a command");
-        row("batch replay a -o b", "batch cannot do \"replay\"");
+        row("batch sample torus -o b", "batch cannot do \"sample\"");
         row("batch unwrap -o b", "no input");
         row("batch unwrap a", "no output folder given");
         row("batch unwrap a -o b --layout c.png", "--layout names one file");
         row("batch unwrap a -o b --report c.txt", "--report takes a .csv, .json or .html file");
-        row("batch convert a -o b", "needs --format");
+        row("batch convert a -o b", "conversions of several files need --output-format");
+        row("batch check a --resume", "no folder given for the journal");
+        row("unwrap a b", "no output folder given");
+        row("unwrap a b -o -", "several files are made");
+        row("unwrap a - -o b", "several inputs are files");
+        row("unwrap a b -o c --jobs 2", "--jobs does not belong to this command, but to \"batch unwrap\"");
+        row("unwrap a b -o c --report d.txt", "--report takes a .csv, .json or .html file of several inputs");
+        row("unwrap a b -o c --jobs 2", "--jobs does not belong to this command, but to \"batch unwrap\"");
+        row("unwrap a b -o c --report d.txt", "--report takes a .csv, .json or .html file of several inputs");
+        row("unwrap a -o - --report -", "cannot both go to standard output");
+        row("sample torus machine -o b", "one name only, but \"machine\" follows \"torus\"");
         row("batch pack a -o b --seams keep", "--seams does not belong to this command");
         row("check a --fail-on overlap", "--fail-on takes a list of overlaps");
         row("unwarp a -o b", "(did you mean unwrap?)");

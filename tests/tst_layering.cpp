@@ -46,6 +46,11 @@ const std::vector<Layer> layers{
     {"", {""}, {"model", "commands", "link", "views"}}, // main.cpp
 };
 
+//! The files that call the operating system, one for each need. docs/building.md names them.
+const std::set<std::string> systemCallers{"cli/manyfiles/machine.cpp", "cli/program/startup.cpp",
+                                          "model/io/filecalls.cpp",    "model/io/readerprocess.cpp",
+                                          "reader/process.cpp",        "solver/linear/loadedfunction.cpp"};
+
 struct Include
 {
     std::string file;   //!< path below src/
@@ -143,6 +148,9 @@ std::string problemWithForeign(const Include &i)
         if (!isInside(folder, "views") && !folder.empty() && std::regex_match(i.header, widgets))
             return "widgets and OpenGL belong to views/";
     }
+    static const std::regex system("(unistd|dlfcn|fcntl|poll|spawn|langinfo|windows|io)\\.h|sys/.*");
+    if (std::regex_match(i.header, system) && !systemCallers.contains(i.file))
+        return "the operating system is called in a few files only";
     if (i.header.starts_with("assimp/") && !i.file.starts_with("model/io/assimp"))
         return "Assimp belongs to model/io/assimp*";
     if (i.header.starts_with("OpenMesh/") && i.file != "solver/multires/edgecollapses.cpp")
@@ -270,6 +278,9 @@ private Q_SLOTS:
         row("model/document/scene.cpp", "OpenMesh/Core/IO/MeshIO.hh", false);
         row("solver/multires/progressivemesh.cpp", "OpenMesh/Core/Mesh/Traits.hh", false);
         row("solver/newton/minimizer.cpp", "cholmod.h", false);
+        // The operating system.
+        row("model/io/savefile.cpp", "unistd.h", false);
+        row("cli/batch.cpp", "sys/stat.h", false);
     }
 
     void breachesAreFound()

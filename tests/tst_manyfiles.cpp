@@ -2,7 +2,7 @@
 #include "cli/manyfiles/filelist.h"
 #include "cli/manyfiles/filerunner.h"
 #include "cli/manyfiles/runreport.h"
-#include "cli/nearestname.h"
+#include "jobs/nearestname.h"
 #include "support/cliruns.h"
 
 #include <QDir>
@@ -437,7 +437,7 @@ private Q_SLOTS:
         const test::CliRun run = test::runProgram(
             program(), words(u"batch "_s + line) + QStringList{mapped, u"-o"_s, place.at(u"made"_s)});
         QVERIFY2(run.code == 0, qPrintable(run.err));
-        QCOMPARE(run.out, u"done: 1\n"_s);
+        QVERIFY2(run.out.endsWith(u"done: 1\n"_s), qPrintable(run.out));
         if (!output.isEmpty())
             QVERIFY(QFileInfo::exists(place.at(u"made/"_s + output)));
     }

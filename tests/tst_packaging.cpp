@@ -7,6 +7,8 @@
 
 #include <QBuffer>
 #include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTest>
@@ -58,6 +60,8 @@ class TestPackaging : public QObject, private test::OwnFolder
 {
     Q_OBJECT
 
+    QStringList mPackages; //!< that CMake looks for, without those that were looked at
+
 private:
     //! What bash offers for the last of some words.
     QStringList offeredByBash(const QStringList &words)
@@ -74,6 +78,52 @@ private:
     }
 
 private Q_SLOTS:
+    //! Whoever builds elsewhere gets every library that CMake looks for.
+    void librariesAreNamedForOtherSystems_data()
+    {
+        QTest::addColumn<QString>("vcpkg");
+        QTest::addColumn<QString>("flatpak");
+        const auto row = [](const char *package, const char *vcpkg, const char *flatpak) {
+            QTest::newRow(package) << QString::fromLatin1(vcpkg) << QString::fromLatin1(flatpak);
+        };
+        row("Eigen3", "eigen3", "eigen");
+        row("embree", "embree3", "embree");
+        row("OpenMesh", "openmesh", "openmesh");
+        row("CHOLMOD", "suitesparse-cholmod", "suitesparse");
+        row("Qt6", "qtbase", "");
+        row("assimp", "assimp", "assimp");
+        row("draco", "draco", "draco");
+        row("meshoptimizer", "meshoptimizer", "meshoptimizer");
+        row("nlohmann_json", "nlohmann-json", "nlohmann-json");
+        row("OpenEXR", "openexr", "openexr");
+        row("ZLIB", "zlib", "");
+        row("Threads", "", ""); // of the compiler
+        row("OpenMP", "", "");
+        static const QRegularExpression found(u"find_package\\((\\w+)"_s);
+        const QString build =
+            QString::fromUtf8(test::readBytes(QStringLiteral(AUTOCUTS_SOURCE_DIR "/CMakeLists.txt")));
+        for (auto each = found.globalMatch(build); each.hasNext();)
+            mPackages << each.next().captured(1);
+        mPackages << u"CHOLMOD"_s;
+        mPackages.removeDuplicates();
+    }
+    void librariesAreNamedForOtherSystems()
+    {
+        QFETCH(QString, vcpkg);
+        QFETCH(QString, flatpak);
+        mPackages.removeOne(QString::fromLatin1(QTest::currentDataTag()));
+        const QJsonDocument manifest =
+            QJsonDocument::fromJson(test::readBytes(QStringLiteral(AUTOCUTS_SOURCE_DIR "/vcpkg.json")));
+        QStringList names{QString()};
+        for (const QJsonValue &each : manifest[u"dependencies"_s].toArray())
+            names << (each.isObject() ? each[u"name"_s] : each).toString();
+        QVERIFY(names.contains(vcpkg));
+        const QString modules =
+            QString::fromUtf8(test::readBytes(packaging("flatpak/org.autocuts.Autocuts.yml")));
+        QVERIFY(flatpak.isEmpty() || modules.contains(u"\n  - name: "_s + flatpak + u'\n'));
+    }
+    void noLibraryIsForgotten() { QCOMPARE(mPackages, QStringList()); }
+
     void bashOffersEveryCommandAndOption()
     {
         SKIP_WITHOUT("bash");

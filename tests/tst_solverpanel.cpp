@@ -1,6 +1,7 @@
 // The panel of the solver: what its controls do to the document and how they follow it.
 #include "commands/setuvs.h"
 #include "model/samples/samples.h"
+#include "support/answers.h"
 #include "support/meshbuilders.h"
 #include "support/panelbench.h"
 #include "views/panels/convergencegraph.h"
@@ -34,7 +35,8 @@ namespace {
 //! A solver panel on the bumpy cube, steered by hand.
 struct SolverBench : test::PanelBench
 {
-    SolverPanel panel{context};
+    test::Answers answers;
+    SolverPanel panel{context, answers};
 
     explicit SolverBench(bool open = true)
     {
@@ -348,7 +350,8 @@ private Q_SLOTS:
         test::PanelBench studio;
         studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("bumpycube")).value()),
                               {});
-        SolverPanel panel(studio.context);
+        test::Answers answers;
+        SolverPanel panel(studio.context, answers);
         QVERIFY(test::showPanel(panel));
         auto *const advanced = child<FoldSection>(panel, "advanced");
         QVERIFY(!advanced->isOpen());

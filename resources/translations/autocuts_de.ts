@@ -6549,6 +6549,86 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>In %1 % of the texels light is above 1 and was cut off: EXR keeps it, or take weaker lights</source>
         <translation>In %1 % der Texel liegt das Licht über 1 und wurde abgeschnitten: EXR behält es, oder schwächere Lichter nehmen</translation>
     </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 needs a value</source>
+        <translation>%1 braucht einen Wert</translation>
+    </message>
+    <message>
+        <source>%1 takes no value</source>
+        <translation>%1 nimmt keinen Wert</translation>
+    </message>
+    <message>
+        <source>%1 takes %2, not &quot;%3&quot;</source>
+        <translation>%1 nimmt %2, nicht „%3“</translation>
+    </message>
+    <message>
+        <source>Correct the line, or save the preset again</source>
+        <translation>Die Zeile berichtigen oder die Vorlage neu speichern</translation>
+    </message>
+    <message>
+        <source>the margin or the border of the tile does not fit the texture</source>
+        <translation>der Abstand der Inseln oder der zum Rand der Kachel passt nicht zur Textur</translation>
+    </message>
+    <message>
+        <source>Make it smaller, or the texture larger</source>
+        <translation>Ihn verkleinern oder die Textur vergrößern</translation>
+    </message>
+    <message>
+        <source>there is no preset &quot;%1&quot;</source>
+        <translation>es gibt keine Vorlage „%1“</translation>
+    </message>
+    <message>
+        <source>There are %1, and files: NAME.preset in %2</source>
+        <translation>Es gibt %1, und Dateien: NAME.preset in %2</translation>
+    </message>
+    <message>
+        <source>Check the path and its permissions</source>
+        <translation>Den Pfad und seine Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>the file is too large for a preset</source>
+        <translation>die Datei ist für eine Vorlage zu groß</translation>
+    </message>
+    <message>
+        <source>Name a file with one option per line</source>
+        <translation>Eine Datei mit einer Option je Zeile nennen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be the name of a file</source>
+        <translation>„%1“ kann nicht der Name einer Datei sein</translation>
+    </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>Einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>the preset %1 comes with the program</source>
+        <translation>die Vorlage %1 gehört zum Programm</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>Check the permissions</source>
+        <translation>Die Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>Check the permissions of its folder</source>
+        <translation>Die Rechte des Ordners prüfen</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2, or two as in 2048x1024</source>
+        <translation>eine ganze Zahl von %1 bis %2, oder zwei wie in 2048x1024</translation>
+    </message>
+    <message>
+        <source>a list of cuts, uv, sharp, sharp:DEGREES (0 to 180), hard, materials and objects</source>
+        <translation>eine Liste aus cuts, uv, sharp, sharp:GRAD (0 bis 180), hard, materials und objects</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>
@@ -7240,6 +7320,72 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Such as Blender, by Open in Autocuts; nothing is reached from other computers</source>
         <translation>Etwa Blender, mit Open in Autocuts; von anderen Rechnern aus ist nichts erreichbar</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::PresetDialog</name>
+    <message>
+        <source>Save settings as preset</source>
+        <translation>Einstellungen als Vorlage speichern</translation>
+    </message>
+    <message>
+        <source>The name of a new preset, or of one that is replaced</source>
+        <translation>Der Name einer neuen Vorlage, oder einer, die ersetzt wird</translation>
+    </message>
+    <message>
+        <source>The settings of the panels Unwrap and Packing, for other sessions and for the command line: autocuts-cli unwrap --preset NAME</source>
+        <translation>Die Einstellungen der Bedienfelder Abwickeln und Packen, für andere Sitzungen und für die Befehlszeile: autocuts-cli unwrap --preset NAME</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Name:</translation>
+    </message>
+    <message>
+        <source>Type a name first</source>
+        <translation>Zuerst einen Namen eingeben</translation>
+    </message>
+    <message>
+        <source>A name has no slash</source>
+        <translation>Ein Name hat keinen Schrägstrich</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::PresetMenu</name>
+    <message>
+        <source>&amp;Save settings as preset...</source>
+        <translation>Einstellungen als Vorlage &amp;speichern...</translation>
+    </message>
+    <message>
+        <source>&amp;Delete preset</source>
+        <translation>Vorlage &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Settings of the preset %1</source>
+        <translation>Einstellungen der Vorlage %1</translation>
+    </message>
+    <message>
+        <source>Settings of the preset %1. For the command line only: %2</source>
+        <translation>Einstellungen der Vorlage %1. Nur für die Befehlszeile: %2</translation>
+    </message>
+    <message>
+        <source>Replace the preset %1?</source>
+        <translation>Die Vorlage %1 ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Delete the preset %1?</source>
+        <translation>Die Vorlage %1 löschen?</translation>
+    </message>
+    <message>
+        <source>Its file is removed.</source>
+        <translation>Ihre Datei wird entfernt.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
     </message>
 </context>
 <context>
@@ -8670,6 +8816,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Ready</source>
         <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Settings of this panel and of Packing under a name, also for the command line</source>
+        <translation>Einstellungen dieses Bedienfelds und des Packens unter einem Namen, auch für die Befehlszeile</translation>
     </message>
 </context>
 <context>

@@ -12,7 +12,6 @@
 #include "commands/replay.h"
 #include "model/io/instances.h"
 #include "model/io/meshfile.h"
-#include "model/io/modelpicture.h"
 #include "model/io/projectfile.h"
 #include "model/io/savefile.h"
 #include "model/io/sessionlock.h"
@@ -27,7 +26,6 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QPainter>
 
 #include <algorithm>
 #include <exception>
@@ -67,15 +65,18 @@ ProgressStyle styleFor(const CliOptions &options, bool onTerminal)
 class Job final
 {
 public:
-    Job(const CliOptions &options, StopSource &stop, bool onTerminal, QTextStream &out, QTextStream &err)
-        : mOptions(options), mStop(stop), mOut(out), mErr(err), mProgress(styleFor(options, onTerminal), err)
+    Job(const CliOptions &options, const StandardStreams &streams, StopSource &stop, bool onTerminal,
+        QTextStream &out, QTextStream &err)
+        : mOptions(options), mStreams(streams), mStop(stop), mOut(out), mErr(err),
+          mProgress(styleFor(options, onTerminal), err)
     {
         mClock.start();
     }
 
     int run()
     {
-        sayWarnings(endBrokenSets(namedFiles(mOptions)));
+        if (!mOptions.dryRun)
+            sayWarnings(endBrokenSets(namedFiles(mOptions)));
         const int code = runCommand();
         mOut << Qt::flush;
         if (code == 0 && mOut.status() != QTextStream::Ok)
@@ -89,7 +90,7 @@ public:
     int fail(const Error &error)
     {
         mProgress.clear();
-        mErr << "autocuts-cli: " << error.toString() << Qt::endl;
+        mErr << "autocuts-cli: " << mStreams.named(error.toString()) << Qt::endl;
         return 1;
     }
 
@@ -157,8 +158,54 @@ private:
         if (!scene)
             return fail(scene.error());
         sayLosses(scene.value());
+        if (mOptions.dryRun)
+            return sayPlan();
         const Result<Done> written = writeOutput(scene.value());
         return written ? 0 : fail(written.error());
+    }
+
+    //! In place of the work: what it would write.
+    int sayPlan()
+    {
+        QStringList targets{mOptions.output, mOptions.layout, mOptions.report};
+        targets.removeAll(QString());
+        if (targets.isEmpty())
+            mOut << mStreams.named(mOptions.input) << ": nothing would be written" << Qt::endl;
+        for (const QString &target : targets)
+            mOut << mStreams.named(mOptions.input + QStringLiteral(" -> ") + target) << Qt::endl;
+        return 0;
+    }
+
+    Result<Done> saveReport(const QByteArray &report) const
+    {
+        return saveAtomically(mOptions.report, mStreams.named(QString::fromUtf8(report)).toUtf8());
+    }
+
+    //! What a command reports that makes no map. \param scene as it is in the file
+    MapReport reportOnFile(const Scene &scene, const std::vector<bool> &faces = {}) const
+    {
+        MapReport report = reportOn(scene, withInstanceStacks(scene, mFiles.islandFlags()),
+                                    mFiles.packingSettings(mOptions), faces);
+        report.input = mOptions.input;
+        report.output = mOptions.output;
+        report.status = QStringLiteral("done");
+        report.seconds = double(mClock.elapsed()) / 1000;
+        return report;
+    }
+
+    //! Writes what was read or replayed, and the report on it.
+    Result<Done> writeWithReport(const Scene &scene, const QString &status, const QStringList &notes)
+    {
+        const QStringList losses = mOptions.output.isEmpty() ? QStringList() : sayLosses(scene);
+        const Result<Done> written = mOptions.output.isEmpty() ? Done{} : writeOutput(scene);
+        if (!written || mOptions.report.isEmpty())
+            return written;
+        const QString format = mOptions.output.isEmpty() ? scene.format : QFileInfo(mOptions.output).suffix();
+        MapReport report =
+            reportOnFile(asWritten(scene, format.toLower(), mFiles.packingSettings(mOptions).tileHeight()));
+        report.status = status;
+        report.notes += notes + losses;
+        return saveReport(reportJson(report));
     }
 
     //! Says on stderr what a session has lost, also with --quiet.
@@ -187,7 +234,7 @@ private:
     void sayWarnings(const QStringList &warnings)
     {
         for (const QString &warning : warnings)
-            mErr << "autocuts-cli: warning: " << warning << Qt::endl;
+            mErr << "autocuts-cli: warning: " << mStreams.named(warning) << Qt::endl;
     }
 
     int runConvert()
@@ -204,8 +251,9 @@ private:
                 {QStringLiteral("the session is damaged, and nothing was written"), mOptions.input, 0,
                  QStringLiteral("Convert a backup of it, the same name with .1 or .2 behind it, or use "
                                 "--force for what is left")});
-        sayLosses(scene.value());
-        const Result<Done> written = writeOutput(scene.value());
+        if (mOptions.dryRun)
+            return sayPlan();
+        const Result<Done> written = writeWithReport(scene.value(), QStringLiteral("done"), {});
         return written ? 0 : fail(written.error());
     }
 
@@ -220,20 +268,17 @@ private:
         const auto scope = batchScope(mOptions, scene.value());
         if (!scope)
             return fail(scope.error());
-        const PackingSettings &packing = mOptions.unwrap.packing;
-        const Scene file = asWritten(scene.value(), scene->format, packing.tileHeight());
-        MapReport report = reportOn(file, withInstanceStacks(file, mFiles.islandFlags()), packing,
-                                    scope.value() ? scope.value()->faces : std::vector<bool>());
-        report.input = mOptions.input;
-        if (mOptions.json) {
-            report.status = QStringLiteral("done");
-            mOut << QString::fromUtf8(reportJson(report));
-        } else {
+        if (mOptions.dryRun)
+            return sayPlan();
+        const MapReport report =
+            reportOnFile(asWritten(scene.value(), scene->format, mOptions.unwrap.packing.tileHeight()),
+                         scope.value() ? scope.value()->faces : std::vector<bool>());
+        if (mOptions.json)
+            mOut << mStreams.named(QString::fromUtf8(reportJson(report)));
+        else if (!mOptions.quiet)
             printFigures(report);
-        }
         if (!mOptions.report.isEmpty()) {
-            report.status = QStringLiteral("done");
-            if (const Result<Done> saved = saveAtomically(mOptions.report, reportJson(report)); !saved)
+            if (const Result<Done> saved = saveReport(reportJson(report)); !saved)
                 return fail(saved.error());
         }
         if (!mOptions.failOn)
@@ -246,10 +291,8 @@ private:
 
     int runReplay()
     {
-        if (!mOptions.output.isEmpty()) {
-            if (const Result<Done> writable = checkTargets(mOptions); !writable)
-                return fail(writable.error());
-        }
+        if (const Result<Done> writable = checkTargets(mOptions); !writable)
+            return fail(writable.error());
         const Result<LoadedProject> project = loadProject(mOptions.input);
         if (!project)
             return fail(project.error());
@@ -261,45 +304,23 @@ private:
             return fail({QStringLiteral("the session has no journal that could be replayed"), mOptions.input,
                          0, QStringLiteral("Use convert to write its present state")});
         }
+        if (mOptions.dryRun)
+            return sayPlan();
         Result<std::unique_ptr<Document>> document = replay(*journal);
         if (!document)
             return fail(document.error());
         const bool same = sameWork(document.value()->state(), project->state);
-        mOut << "replayed commands: " << journal->commands.size() << '\n'
-             << (same ? "the result is what the session holds"
-                      : "the result differs from what the session holds")
-             << Qt::endl;
-        if (!mOptions.output.isEmpty()) {
-            const Scene scene = mFiles.take(std::move(document).value(), *journal);
-            sayLosses(scene);
-            if (const Result<Done> written = writeOutput(scene); !written)
-                return fail(written.error());
-        }
+        const QStringList outcome{QStringLiteral("replayed commands: %1").arg(journal->commands.size()),
+                                  same ? QStringLiteral("the result is what the session holds")
+                                       : QStringLiteral("the result differs from what the session holds")};
+        if (!mOptions.quiet)
+            mOut << outcome.join(QLatin1Char('\n')) << Qt::endl;
+        const Scene scene = mFiles.take(std::move(document).value(), *journal);
+        const Result<Done> written =
+            writeWithReport(scene, same ? QStringLiteral("done") : QStringLiteral("differs"), outcome);
+        if (!written)
+            return fail(written.error());
         return same ? 0 : 1;
-    }
-
-    //! The model, its map, or both beside each other.
-    QImage pictureOf(const Scene &scene) const
-    {
-        const int side = mOptions.pictureSide;
-        LayoutOptions layout;
-        layout.size = side;
-        QImage map;
-        if (mOptions.show != CliOptions::Show::Model && scene.hasUv()) {
-            if (const Result<QByteArray> png = layoutPng(*scene.mesh, scene.uvSets.front().uv, layout))
-                map = QImage::fromData(png.value());
-        }
-        if (mOptions.show == CliOptions::Show::Map && !map.isNull())
-            return map;
-        const QImage model = modelPicture(*scene.mesh, side);
-        if (mOptions.show != CliOptions::Show::Both)
-            return model;
-        QImage both(2 * side, side, QImage::Format_ARGB32_Premultiplied);
-        both.fill(Qt::transparent);
-        QPainter painter(&both);
-        painter.drawImage(0, 0, model);
-        painter.drawImage(side, 0, map);
-        return both;
     }
 
     int runThumbnail()
@@ -317,11 +338,13 @@ private:
             const Result<Scene> scene = readInput();
             if (!scene)
                 return fail(scene.error());
-            picture = pictureOf(scene.value());
+            picture = thumbnailOf(mOptions, scene.value());
         } else {
             picture = picture.scaled(mOptions.pictureSide, mOptions.pictureSide, Qt::KeepAspectRatio,
                                      Qt::SmoothTransformation);
         }
+        if (mOptions.dryRun)
+            return sayPlan();
         QByteArray png;
         QBuffer buffer(&png);
         buffer.open(QIODevice::WriteOnly);
@@ -349,6 +372,8 @@ private:
         if (!(scene->mesh->area > 0))
             return fail({QStringLiteral("all faces are without area, there is nothing to map"),
                          mOptions.input, 0, QStringLiteral("Check the scale and the vertices of the model")});
+        if (mOptions.dryRun)
+            return sayPlan();
         const JobContext job(&mStop.stop, mOptions.threads,
                              [this](const JobProgress &progress) { mProgress.show(progress); });
         const MapMaking making(mOptions, mFiles, job);
@@ -372,6 +397,8 @@ private:
             return failReading(scene.error());
         if (const Result<Done> fine = checkClashes(mOptions, mFiles.modelOf(scene.value())); !fine)
             return fail(fine.error());
+        if (mOptions.dryRun)
+            return sayPlan();
         mFiles.mergeSettings(mOptions);
         const JobContext job(&mStop.stop, mOptions.threads,
                              [this](const JobProgress &progress) { mProgress.show(progress); });
@@ -385,7 +412,7 @@ private:
         sayWarnings(warnings);
         if (!mOptions.quiet) {
             for (const QString &file : baked->files)
-                mOut << file << '\n';
+                mOut << mStreams.named(file) << '\n';
             mOut << Qt::flush;
         }
         if (!mOptions.report.isEmpty()) {
@@ -394,8 +421,7 @@ private:
             report.insert(QStringLiteral("notes"), QJsonArray::fromStringList(mFiles.warnings() + warnings));
             report.insert(QStringLiteral("status"), statusWord(mStop, false));
             report.insert(QStringLiteral("seconds"), double(mClock.elapsed()) / 1000);
-            if (const Result<Done> saved = saveAtomically(mOptions.report, QJsonDocument(report).toJson());
-                !saved)
+            if (const Result<Done> saved = saveReport(QJsonDocument(report).toJson()); !saved)
                 return failAfter(baked->files, saved.error());
         }
         return mStop.reason == StopReason::Interrupted ? 130 : 0;
@@ -464,7 +490,7 @@ private:
         }
         report.seconds = double(mClock.elapsed()) / 1000;
         if (!mOptions.report.isEmpty()) {
-            if (const Result<Done> saved = saveAtomically(mOptions.report, reportJson(report)); !saved)
+            if (const Result<Done> saved = saveReport(reportJson(report)); !saved)
                 return failAfter({mOptions.output, mOptions.layout}, saved.error());
         }
         if (mStop.reason == StopReason::Interrupted)
@@ -476,7 +502,7 @@ private:
     {
         mOut << reportTable(report);
         for (const QString &note : report.notes)
-            mOut << "note: " << note << '\n';
+            mOut << "note: " << mStreams.named(note) << '\n';
         const QStringList problems = mapProblems(report);
         for (const QString &problem : problems)
             mOut << "problem: " << problem << '\n';
@@ -485,13 +511,16 @@ private:
         mOut << Qt::flush;
     }
 
-    void sayLosses(const Scene &scene)
+    QStringList sayLosses(const Scene &scene)
     {
-        for (const QString &loss : BatchFiles::losses(scene, mOptions.output))
+        const QStringList losses = BatchFiles::losses(scene, mOptions.output);
+        for (const QString &loss : losses)
             mErr << "autocuts-cli: note: " << loss << Qt::endl;
+        return losses;
     }
 
     CliOptions mOptions;
+    const StandardStreams &mStreams;
     BatchFiles mFiles;
     std::shared_ptr<const JobScope> mScope; //!< of --only; null: everything
     StopSource &mStop;
@@ -508,7 +537,7 @@ int runCommand(const CliOptions &given, StopSource &stop, bool onTerminal, QText
     CliOptions options = given;
     StandardStreams streams;
     const Result<Done> taken = streams.take(options);
-    Job job(options, stop, onTerminal, streams.hasOutput() ? err : out, err);
+    Job job(options, streams, stop, onTerminal, streams.hasOutput() && !options.dryRun ? err : out, err);
     if (!taken)
         return job.fail(taken.error());
     const auto failure = [&](const QString &what, const QString &remedy) {

@@ -258,11 +258,11 @@ Result<Done> BatchFiles::write(const Scene &scene, const CliOptions &options)
 {
     if (isProjectPath(options.output))
         return writeSession(scene, options);
-    const PackingSettings &packing = mDocument ? mDocument->packingSettings() : options.unwrap.packing;
+    const double tileHeight = packingSettings(options).tileHeight();
     if (mDocument && !mDocument->state().textureSets.empty())
         return writeMesh(withChosenTextures(scene, mDocument->state().textureSets), options.output,
-                         packing.tileHeight());
-    return writeMesh(scene, options.output, packing.tileHeight());
+                         tileHeight);
+    return writeMesh(scene, options.output, tileHeight);
 }
 
 Result<Done> BatchFiles::writeSession(const Scene &scene, const CliOptions &options)

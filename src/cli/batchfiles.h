@@ -42,6 +42,11 @@ public:
     const std::vector<UvSet> &uvSets() const;
     //! What read() has returned, with the pictures that the user of the session chose.
     DocumentState modelOf(const Scene &scene) const;
+    //! Those of the session, or of the options without one.
+    PackingSettings packingSettings(const CliOptions &options) const
+    {
+        return mDocument ? mDocument->packingSettings() : options.unwrap.packing;
+    }
     int activeUvSet() const { return mDocument ? mDocument->activeUvSet() : mActiveSet; }
 
     //! The session's rectangle of this name; null when there is none.

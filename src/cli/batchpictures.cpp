@@ -5,8 +5,11 @@
 #include "jobs/bakepictures.h"
 #include "jobs/carrytextures.h"
 #include "jobs/othermodel.h"
+#include "model/io/modelpicture.h"
+#include "model/io/uvexport.h"
 
 #include <QJsonArray>
+#include <QPainter>
 
 namespace autocuts {
 
@@ -61,6 +64,29 @@ Result<jobs::MadePictures> carryTextures(const CliOptions &options, const BatchF
     if (options.given.contains(u"--texture-size"_s))
         choice.size = options.unwrap.packing.textureSize;
     return jobs::carryTextures(inputOf(options, files, scene), {}, choice, context);
+}
+
+QImage thumbnailOf(const CliOptions &options, const Scene &scene)
+{
+    const int side = options.pictureSide;
+    LayoutOptions layout;
+    layout.size = side;
+    QImage map;
+    if (options.show != CliOptions::Show::Model && scene.hasUv()) {
+        if (const Result<QByteArray> png = layoutPng(*scene.mesh, scene.uvSets.front().uv, layout))
+            map = QImage::fromData(png.value());
+    }
+    if (options.show == CliOptions::Show::Map && !map.isNull())
+        return map;
+    const QImage model = modelPicture(*scene.mesh, side);
+    if (options.show != CliOptions::Show::Both)
+        return model;
+    QImage both(2 * side, side, QImage::Format_ARGB32_Premultiplied);
+    both.fill(Qt::transparent);
+    QPainter painter(&both);
+    painter.drawImage(0, 0, model);
+    painter.drawImage(side, 0, map);
+    return both;
 }
 
 QJsonObject pictureReport(const jobs::MadePictures &made)

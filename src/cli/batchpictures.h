@@ -5,6 +5,7 @@
 #include "jobs/madepictures.h"
 #include "solver/base/jobcontext.h"
 
+#include <QImage>
 #include <QJsonObject>
 
 namespace autocuts {
@@ -20,6 +21,9 @@ Result<jobs::MadePictures> bakeLights(const CliOptions &options, const BatchFile
 //! Makes the textures of the options new. After a stop no file was written.
 Result<jobs::MadePictures> carryTextures(const CliOptions &options, const BatchFiles &files,
                                          const Scene &scene, const JobContext &context);
+
+//! The model, its map, or both beside each other, as the options say.
+QImage thumbnailOf(const CliOptions &options, const Scene &scene);
 
 //! The part of a report that is about pictures.
 QJsonObject pictureReport(const jobs::MadePictures &made);

@@ -18,12 +18,17 @@ constexpr int synopsisColumns = 30; //!< width of the column of synopses, includ
 const QString sessions =
     u"IN and OUT may be sessions (.acproj). Of a session IN the cuts, joins, weights, pins, rectangles and "
     "settings are used; options that are given take the place of its settings."_s;
+const QString severalFiles = u"Several inputs are done as by batch, each in a process of its own: -o is then "
+                             u"the folder for the outputs, "
+                             "which keep the names of the inputs, and --report a .csv, .json or .html file "
+                             "about all of them. So is one "
+                             "input where the folder after -o ends with a slash."_s;
 const QString streams = u"Progress goes to stderr, results go to stdout."_s;
 
 //! The arguments of a command, as its usage line shows them.
 QString synopsis(const CliCommand &command)
 {
-    QString line = command.name + u' ' + command.operand;
+    QString line = command.name + u' ' + command.operand + (command.takesFiles() ? u"..."_s : QString());
     if (command.output == Output::Needed)
         line += u" -o OUT"_s;
     else if (command.output == Output::Optional)
@@ -126,6 +131,7 @@ QString usageText(CliOptions::Command command)
     }
     out += start + u"--help | --version | --man-page | --markdown | --completion SHELL\n\n"_s;
     appendWrapped(out, sessions, 0);
+    appendWrapped(out, severalFiles, 0);
     QString heading;
     for (const CliOption &option : cliOptions()) {
         if (commandsOf(option) != heading) {
@@ -154,7 +160,7 @@ QString manualPage()
            roff(u"--help | --version | --man-page | --markdown | --completion SHELL"_s) + u'\n';
     out += u".SH DESCRIPTION\n"
            "Autocuts makes UV maps: cuts and distortion are optimised together.\n"_s +
-           roff(sessions) + u'\n' + roff(streams) + u"\n.SH COMMANDS\n"_s;
+           roff(sessions) + u'\n' + roff(severalFiles) + u'\n' + roff(streams) + u"\n.SH COMMANDS\n"_s;
     for (const CliCommand &command : cliCommands())
         out += u".TP\n"_s + bold(command.name) + u'\n' + roff(command.meaning) + u".\n"_s;
     out += u".SH OPTIONS\nDefaults are in brackets.\n"_s;

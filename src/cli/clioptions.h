@@ -84,14 +84,15 @@ struct CliOptions
     Command command = Command::Help;
     //! Of a batch, what is done with each file; of a help that is asked for behind a command, that command.
     Command each = Command::Help;
-    std::optional<ManyChoice> many;              //!< of a batch
-    QString input;                               //!< a file, or the name of a sample or a shell
-    QStringList given;                           //!< the names of the given options, -o for --output
-    QString preset;                              //!< its name or path; read before the other options
-    bool showSettings = false;                   //!< print the settings in place of the work
-    QString settingsText;                        //!< these settings, in the form of a preset
-    QString output;                              //!< -o
-    QString inputFormat = QStringLiteral("obj"); //!< suffix of a model that comes by standard input
+    std::optional<ManyChoice> many; //!< of several files
+    QString input;                  //!< a file, - or the name of a sample or a shell
+    QStringList given;              //!< the names of the given options, -o for --output
+    QString preset;                 //!< its name or path; read before the other options
+    bool showSettings = false;      //!< print the settings in place of the work
+    bool dryRun = false;            //!< only say what would be written
+    QString settingsText;           //!< these settings, in the form of a preset
+    QString output;                 //!< -o
+    QString inputFormat;  //!< suffix of a model that comes by standard input; empty: that of the command
     QString outputFormat; //!< of one that goes to standard output; empty: that of the input
     SolveSettings settings;
     unwrap::UnwrapOptions unwrap; //!< its packing target is that of --tile or --into

@@ -2,20 +2,17 @@
 
 #include "cli/bakeoptions.h"
 #include "cli/clivalues.h"
+#include "cli/generaloptions.h"
 #include "cli/lightoptions.h"
+#include "cli/manyoptions.h"
 #include "cli/optionmakers.h"
 
 #include <QFileInfo>
-#include <QRegularExpression>
-
-#include <algorithm>
 
 namespace autocuts {
 
 namespace {
 
-using Command = CliOptions::Command;
-using Output = CliCommand::Output;
 using Group = OptionGroup;
 using namespace Qt::Literals::StringLiterals;
 using Problem = std::optional<QString>;
@@ -43,7 +40,6 @@ std::vector<CliOption> seamingOptions()
     constexpr Group group = Group::Seaming;
     return {
         choice(group, u"--seams"_s, fieldOf(&SolveSettings::seams),
-               {{u"free"_s, SeamMode::Free}, {u"keep"_s, SeamMode::Keep}, {u"only"_s, SeamMode::Only}},
                u"whose seams: those of the search; the given ones and what the bound needs besides; exactly "
                "the given ones"_s),
         {group,
@@ -105,51 +101,32 @@ std::vector<CliOption> solvingOptions()
                u"in place of a bound: a fixed balance between distortion and seams, from 0 (cut freely) to 1 "
                "(hardly cut)"_s),
         choice(group, u"--init"_s, fieldOf(&SolveSettings::start),
-               {{u"rigid"_s, StartMode::Rigid},
-                {u"tutte"_s, StartMode::Tutte},
-                {u"random"_s, StartMode::Random},
-                {u"uv"_s, StartMode::ExistingUv}},
                u"start from every triangle flat on its own, a Tutte embedding, random places, or the UVs of "
                "the file"_s),
         choice(group, u"--weights"_s, fieldOf(&SolveSettings::weighting),
-               {{u"length"_s, SeamWeighting::Length}, {u"count"_s, SeamWeighting::Count}},
                u"what a seam costs: its length, or 1 per edge"_s),
         choice(group, u"--energy"_s, fieldOf(&SolveSettings::energy),
-               {{u"symmetric-dirichlet"_s, DistortionEnergy::SymmetricDirichlet},
-                {u"amips"_s, DistortionEnergy::Amips}},
                u"how distortion is measured while solving: isometric, or conformal (AMIPS)"_s),
         choice(group, u"--solver"_s, fieldOf(&SolveSettings::solver),
-               {{u"fast"_s, SolverKind::Fast}, {u"exact"_s, SolverKind::Exact}},
                u"preconditioned conjugate gradients, or a full factorisation in every step"_s),
         choice(group, u"--quality"_s, fieldOf(&unwrap::UnwrapOptions::quality),
-               {{u"draft"_s, unwrap::UnwrapQuality::Draft},
-                {u"standard"_s, unwrap::UnwrapQuality::Standard},
-                {u"best"_s, unwrap::UnwrapQuality::Best}},
                u"how long to search for shorter seams"_s),
         choice(
             group, u"--for"_s, fieldOf(&SolveSettings::surface),
-            {{u"auto"_s, SurfaceKind::Auto},
-             {u"organic"_s, SurfaceKind::Organic},
-             {u"hard-surface"_s, SurfaceKind::HardSurface}},
             u"what the model is like: flat faces with sharp edges, which keep their shape and get the seams; "
             "curved, so that stretch may go anywhere; auto recognises each connected part, and the report "
             "says what was found"_s),
         choice(
             group, u"--flat"_s, fieldOf(&SolveSettings::flat),
-            {{u"rigid"_s, FlatMode::Rigid}, {u"free"_s, FlatMode::Free}},
             u"flat faces, and what unrolls without stretch, keep their shape, and the stretch that "
             "--max-distortion allows goes to the curved rest; or it may go anywhere. No matter with --lambda"_s),
         choice(
             group, u"--alike"_s, fieldOf(&SolveSettings::alike),
-            {{u"off"_s, AlikeMode::Off},
-             {u"same-cuts"_s, AlikeMode::SameCuts},
-             {u"stack"_s, AlikeMode::Stack}},
             u"connected parts that are copies of each other, also mirrored ones, get the same seams, which "
             "is faster, too; stack also lays islands that are copies on each other, mirrored ones turned "
             "over; off: each is cut on its own"_s),
         choice(
             group, u"--creases"_s, fieldOf(&SolveSettings::creases),
-            {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
             u"put seams along sharp edges; auto does so on parts where clear creases make up the sharp edges"_s),
         number(group, u"--crease-strength"_s, u"X"_s, fieldOf(&SolveSettings::creaseStrength), 0, 1,
                u"part of its cost that a seam on a sharp edge saves, 0 to 1"_s),
@@ -159,7 +136,6 @@ std::vector<CliOption> solvingOptions()
              u"make symmetric cuts on symmetric meshes"_s),
         choice(
             group, u"--align"_s, fieldOf(&SolveSettings::align),
-            {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
             u"turn islands to the axes, and make straight in the map what is straight on the model, as far "
             "as the bound allows; auto does so on parts that are hard surfaces"_s),
         flag(group, u"--mirror"_s, fieldOf(&SolveSettings::mirrorMaps), true,
@@ -167,7 +143,6 @@ std::vector<CliOption> solvingOptions()
              u"symmetric "
              "mesh mirror images of each other; --symmetry makes cuts that allow it"_s),
         choice(group, u"--world-up"_s, fieldOf(&SolveSettings::worldUp),
-               {{u"-"_s, WorldUp::Off}, {u"y"_s, WorldUp::Y}, {u"z"_s, WorldUp::Z}},
                u"turn islands so that this direction of the model is up in the map; they are packed as they "
                "stand"_s),
         flag(group, u"--allow-overlaps"_s, fieldOf(&unwrap::UnwrapOptions::allowOverlaps), true,
@@ -195,13 +170,6 @@ std::vector<CliOption> packingOptions()
                 u"texels between the islands and the border of the tile; half the margin when not given"_s),
             {}),
         choice(Group::Packing, u"--rotation"_s, fieldOf(&PackingSettings::rotation),
-               {{u"free"_s, PackRotation::Free},
-                {u"180"_s, PackRotation::Half},
-                {u"90"_s, PackRotation::Quarter},
-                {u"45"_s, PackRotation::Eighth},
-                {u"30"_s, PackRotation::Twelfth},
-                {u"15"_s, PackRotation::TwentyFourth},
-                {u"none"_s, PackRotation::None}},
                u"how islands may be turned: freely, though those whose border is mostly right-angled stand "
                u"upright; by "
                "multiples of so many degrees; or not at all"_s),
@@ -322,8 +290,10 @@ std::vector<CliOption> makingOptions()
          "part"_s,
          {},
          readLayout},
-        text(Group::Reporting, {u"--report"_s}, fieldOf(&CliOptions::report),
-             u"write the figures of the result as JSON, also those of each object and material"_s),
+        text(
+            Group::Reporting, {u"--report"_s}, fieldOf(&CliOptions::report),
+            u"write the figures of the result as JSON, also those of each object and material; - is standard "
+            u"output. Of several inputs: .csv, .json or .html, as by batch"_s),
         defaultingTo(integer(Group::Limiting, u"--threads"_s, fieldOf(&CliOptions::threads), 1, 1024,
                              u"threads to use; the result does not depend on it"_s),
                      u"all cores"_s),
@@ -334,106 +304,6 @@ std::vector<CliOption> makingOptions()
     };
 }
 
-//! Sets a field of the options of a batch.
-template <class T>
-Field<T> fieldOf(T ManyChoice::*member)
-{
-    return [member](CliOptions &options) -> T & {
-        if (!options.many)
-            options.many.emplace();
-        return *options.many.*member;
-    };
-}
-
-//! An option for a suffix of files.
-CliOption suffixOption(Group group, const QString &name, const Field<QString> &field, const QString &meaning)
-{
-    return {group,
-            {name},
-            u"SUFFIX"_s,
-            meaning,
-            {},
-            [field](CliOptions &options, const QString &value) -> Problem {
-                static const QRegularExpression suffix(u"^\\.?([a-z0-9]+)$"_s);
-                const auto match = suffix.match(value.toLower());
-                if (!match.hasMatch())
-                    return u"a suffix such as glb"_s;
-                field(options) = match.captured(1);
-                return std::nullopt;
-            }};
-}
-
-std::vector<CliOption> batchOptions()
-{
-    constexpr Group group = Group::Batching;
-    CliOption journal = text(group, {u"--journal"_s}, fieldOf(&ManyChoice::journal),
-                             u"folder for the journal, in place of that of the outputs"_s);
-    journal.value = u"DIR"_s;
-    return {
-        {group,
-         {u"--report"_s},
-         u"FILE"_s,
-         u"write what came of all files: .csv, .json, or .html, a page with pictures and figures that sort "
-         u"and "
-         "filter, and with the difference to the run before"_s,
-         {},
-         [](CliOptions &options, const QString &value) -> Problem {
-             static const QStringList known{u"csv"_s, u"json"_s, u"html"_s};
-             if (!known.contains(QFileInfo(value).suffix()))
-                 return u"a .csv, .json or .html file"_s;
-             options.many->report = value;
-             return std::nullopt;
-         }},
-        defaultingTo(integer(group, u"--jobs"_s, fieldOf(&ManyChoice::jobs), 1, 256,
-                             u"files to work on at once; the threads are shared among them"_s),
-                     u"one for each core"_s),
-        number(group, u"--memory"_s, u"GIGABYTES"_s, fieldOf(&ManyChoice::memory), 0.1, 1e6,
-               u"memory for all of them together: large files wait until they fit, one that never does is "
-               u"worked on "
-               "alone; 100 MB and 150 times the size of a file are expected. Three quarters of what is free "
-               "when not given"_s),
-        number(group, u"--file-limit"_s, u"SECONDS"_s, fieldOf(&ManyChoice::fileLimit), 0.001, 1e9,
-               u"give a file up after this time; --time-limit takes the best map so far"_s),
-        flag(group, u"--resume"_s, fieldOf(&ManyChoice::resume), true,
-             u"go on with a batch that was ended: what its journal in the folder knows, and has not changed, "
-             u"is "
-             "not done again"_s),
-        {group,
-         {u"--retry"_s},
-         {},
-         u"the same, but do again what failed"_s,
-         {},
-         [](CliOptions &options, const QString &) -> Problem {
-             options.many->resume = options.many->retry = true;
-             return std::nullopt;
-         }},
-        suffixOption(group, u"--format"_s, fieldOf(&ManyChoice::format),
-                     u"format of the outputs, for example glb; that of each input when not given"_s),
-        flag(group, u"--dry-run"_s, fieldOf(&ManyChoice::dryRun), true,
-             u"only say which file would be written of which"_s),
-        {group,
-         {u"--part"_s},
-         u"K/N"_s,
-         u"do only the K-th of N parts of the files, for arrays of jobs; each part has a journal of its own "
-         "in the folder, and --resume without --part takes them all over"_s,
-         {},
-         [](CliOptions &options, const QString &value) -> Problem {
-             static const QRegularExpression form(u"^(\\d{1,6})/(\\d{1,6})$"_s);
-             const auto match = form.match(value);
-             const int part = match.captured(1).toInt(), parts = match.captured(2).toInt();
-             if (part < 1 || part > parts)
-                 return u"K/N with K from 1 to N"_s;
-             options.many->part = part;
-             options.many->parts = parts;
-             return std::nullopt;
-         }},
-        journal,
-        flag(group, u"--elsewhere"_s, fieldOf(&ManyChoice::elsewhere), true,
-             u"leave the work to the program that has started this one, such as autocuts.farm: say on "
-             "standard output what is to be done, and read from standard input what came of it"_s),
-    };
-}
-
 std::vector<CliOption> tilingOptions()
 {
     return {tilingOption(), tilesOption(), densityOption()};
@@ -441,75 +311,12 @@ std::vector<CliOption> tilingOptions()
 
 } // namespace
 
-const std::vector<CliCommand> &cliCommands()
-{
-    using enum OptionGroup;
-    static const std::vector<CliCommand> commands{
-        {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Solving | Texture | Packing | Scope | Bordering | Tiling | UvSets | NewUvSets |
-             Sharing | Making | Limiting | Reporting,
-         u"make a UV map"_s},
-        {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Placing | Scope | Bordering | Tiling | KeepingTiles | UvSets | NewUvSets |
-             Sharing | Making | Limiting | Reporting,
-         u"arrange the islands of an existing map anew"_s},
-        {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Separating | Scope | Bordering | Tiling | KeepingTiles | UvSets | NewUvSets |
-             Sharing | Making | Limiting | Reporting,
-         u"cut islands that overlap themselves, then pack"_s},
-        {Command::Lightmap, u"lightmap"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | KeepingTiles | UvSets | NewUvSets | Sharing | Making | Limiting | Reporting,
-         u"add a UV set for lightmaps, called Lightmap: the islands of the map without overlaps, stacks "
-         u"taken "
-         "apart, at one texel density"_s},
-        {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Texture | Packing | Scope | Bordering | Tiling | KeepingTiles | UvSets |
-             NewUvSets | Sharing | Making | Limiting | Reporting,
-         u"make a half-solved map usable: seams decided, no overlaps, within the bound"_s},
-        {Command::Transfer, u"transfer"_s, u"IN"_s, Output::Needed,
-         Transferring | Texture | Scope | Bordering | UvSets | NewUvSets | Sharing | Making | Limiting |
-             Reporting,
-         u"give the model the UVs of another file, UV set or object, also of another resolution"_s},
-        {Command::Bake, u"bake"_s, u"IN"_s, Output::Needed, Baking | Texture | UvSets | Limiting | Reporting,
-         u"bake normals, occlusion and more into pictures for the UV map; -o is their folder"_s},
-        {Command::LightBake, u"lightbake"_s, u"IN"_s, Output::Needed,
-         Lighting | Texture | UvSets | Limiting | Reporting,
-         u"bake the light of suns, skies, area lights and emissive materials into a picture (exr, png, tif "
-         u"or "
-         u"tga) "
-         "for the UV map"_s},
-        {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Scope | UvSets | Measuring | Reporting,
-         u"measure a map and say what is wrong with it"_s},
-        {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets | Sharing | Converting,
-         u"write another file format; OBJ to OBJ, FBX to FBX and glTF to glTF change nothing"_s},
-        {Command::Thumbnail, u"thumbnail"_s, u"IN"_s, Output::Needed, Picturing,
-         u"draw a small PNG picture of a model; of a session, the one that it holds, as file managers show it"_s},
-        {Command::Batch, u"batch"_s, u"COMMAND IN..."_s, Output::Needed, Batching,
-         u"do one of the commands above with many files, each in a process of its own: files, folders with "
-         u"all "
-         "that is below them, patterns such as models/**/*.fbx; -o is the folder for the outputs, which keep "
-         "the places and names of the inputs; the command's options follow"_s},
-        {Command::Replay,
-         u"replay"_s,
-         u"SESSION"_s,
-         Output::Optional,
-         {},
-         u"do again what was done in a session, and say whether it gives the same"_s},
-        {Command::Sample,
-         u"sample"_s,
-         u"NAME"_s,
-         Output::Needed,
-         {},
-         u"write a sample: bumpycube, character, torus or machine"_s},
-    };
-    return commands;
-}
-
 const std::vector<CliOption> &cliOptions()
 {
     static const std::vector<CliOption> options = [] {
         std::vector<CliOption> all{
-            text(Group::Output, {u"-o"_s, u"--output"_s}, fieldOf(&CliOptions::output), u"file to write"_s)};
+            text(Group::Output, {u"-o"_s, u"--output"_s}, fieldOf(&CliOptions::output),
+                 u"file to write; - is standard output. Of several inputs, the folder for the outputs"_s)};
         for (const CliOption &option : batchOptions()) // before the command's, which may have the same name
             all.push_back(option);
         for (const auto &some :
@@ -520,7 +327,7 @@ const std::vector<CliOption> &cliOptions()
             all.insert(all.end(), some.begin(), some.end());
         all.push_back(separatingOption());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,
-                           u"print the figures as JSON"_s));
+                           u"print the figures as JSON; of several files, what came of all of them"_s));
         all.push_back(flag(Group::Sharing, u"--make-unique"_s, fieldOf(&CliOptions::makeUnique), true,
                            u"objects that share a mesh in the file get one each, with a map of its own; "
                            "otherwise FBX, glTF and Collada files have one map for all of them"_s));
@@ -542,56 +349,11 @@ const std::vector<CliOption> &cliOptions()
                              u"what the picture shows; both: the map beside the model"_s));
         all.push_back(integer(Group::Picturing, u"--size"_s, fieldOf(&CliOptions::pictureSide), 16, 4096,
                               u"pixels along the longer side of the picture"_s));
-        all.push_back(
-            {Group::Everything,
-             {u"--preset"_s},
-             u"NAME|FILE"_s,
-             u"take options from a preset: game-prop, film-udim, lightmap, scan, an own one (NAME.preset in "
-             "the folder autocuts/presets of the user's settings), or a file with lines such as margin = 8; "
-             "options of the command line replace it, and those of other commands in it do not count"_s,
-             {},
-             [](CliOptions &own, const QString &value) -> std::optional<QString> {
-                 own.preset = value;
-                 return std::nullopt;
-             }});
-        all.push_back(flag(Group::Everything, u"--show-settings"_s, fieldOf(&CliOptions::showSettings), true,
-                           u"print the settings that the command would have, in the form of a preset, and do "
-                           "nothing"_s));
-        all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,
-                           u"no progress and no figures, only warnings and errors"_s));
-        all.push_back(
-            suffixOption(Group::Everything, u"--input-format"_s, fieldOf(&CliOptions::inputFormat),
-                         u"format of a model that comes by standard input, where - is given for the "
-                         "input; obj when not given. Files beside it are not found"_s));
-        all.push_back(suffixOption(Group::Everything, u"--output-format"_s,
-                                   fieldOf(&CliOptions::outputFormat),
-                                   u"format of what goes to standard output, where -o - is given: one file, "
-                                   "while the figures go to stderr; that of the input when not given"_s));
-        all.push_back(choice(
-            Group::Everything, u"--progress"_s, fieldOf(&CliOptions::jsonProgress),
-            {{u"text"_s, false}, {u"json"_s, true}},
-            u"how progress is said on stderr: for people, which is a line every ten seconds where that is no "
-            "terminal, and one for each file of a batch; or as lines of JSON"_s));
+        for (const CliOption &option : generalOptions())
+            all.push_back(option);
         return all;
     }();
     return options;
-}
-
-const std::vector<CliExitCode> &cliExitCodes()
-{
-    static const std::vector<CliExitCode> codes{
-        {0, u"done; also after --time-limit, then with the status time_limit in the report"_s},
-        {1,
-         u"failed; one line on stderr says what, where and what to do, and an existing output file is left "
-         "as it was"_s},
-        {2, u"wrong usage"_s},
-        {3, u"the distortion is above --max-distortion (status bound_missed in the report); the map has been "
-            "written"_s},
-        {4, u"check found what --fail-on names"_s},
-        {130,
-         u"interrupted by Ctrl-C; the best valid map so far has been written, if the model had been read"_s},
-    };
-    return codes;
 }
 
 } // namespace autocuts

@@ -20,6 +20,8 @@ struct CliCommand
     OptionGroups groups; //!< without the groups that every command has
     QString meaning;
 
+    //! True when the inputs are files, so that there may be several of them.
+    bool takesFiles() const { return id != CliOptions::Command::Sample && id != CliOptions::Command::Batch; }
     bool takes(OptionGroup group) const
     {
         return group == OptionGroup::Everything || groups.testFlag(group) ||

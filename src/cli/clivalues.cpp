@@ -1,5 +1,7 @@
 #include "cli/clivalues.h"
 
+#include "jobs/settingwords.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -34,18 +36,7 @@ std::optional<QString> readRectangle(CliOptions &options, const QString &value)
 
 std::optional<QString> readTextureSize(CliOptions &options, const QString &value)
 {
-    constexpr int least = 16;
-    std::vector<int> sides;
-    for (const QString &part : value.split(u'x')) {
-        sides.push_back(part.toInt());
-        if (sides.back() < least || sides.back() > PackingSettings::maxTextureSize)
-            sides.resize(3); // not valid
-    }
-    if (sides.size() > 2)
-        return u"a whole number from %1 to %2, or two as in 2048x1024"_s.arg(least).arg(
-            PackingSettings::maxTextureSize);
-    options.unwrap.packing.setTexture(sides.front(), sides.back());
-    return std::nullopt;
+    return jobs::readTextureSize(options.unwrap.packing, value);
 }
 
 std::optional<QString> readTextures(CliOptions &options, const QString &value)
@@ -58,31 +49,7 @@ std::optional<QString> readTextures(CliOptions &options, const QString &value)
 
 std::optional<QString> readSeamSources(CliOptions &options, const QString &value)
 {
-    static const QString expected =
-        u"a list of cuts, uv, sharp, sharp:DEGREES (0 to 180), hard, materials and objects"_s;
-    static const std::map<QString, bool GivenSeamOptions::*> sources{
-        {u"cuts"_s, &GivenSeamOptions::cuts},           {u"uv"_s, &GivenSeamOptions::map},
-        {u"sharp"_s, &GivenSeamOptions::sharp},         {u"hard"_s, &GivenSeamOptions::hard},
-        {u"materials"_s, &GivenSeamOptions::materials},
-    };
-    GivenSeamOptions given{.cuts = false, .map = false};
-    for (const QString &word : value.split(u',')) {
-        if (word == u"objects") // their borders are seams in any case
-            continue;
-        const qsizetype colon = word.indexOf(u':');
-        const auto source = sources.find(word.left(colon));
-        if (source == sources.end() || (colon >= 0 && source->first != u"sharp"))
-            return expected;
-        given.*source->second = true;
-        if (colon >= 0) {
-            bool ok = false;
-            given.sharpAngle = word.mid(colon + 1).toDouble(&ok);
-            if (!ok || !(given.sharpAngle >= 0 && given.sharpAngle <= 180))
-                return expected;
-        }
-    }
-    options.settings.givenSeams = given;
-    return std::nullopt;
+    return jobs::readSeamSources(options.settings.givenSeams, value);
 }
 
 namespace {

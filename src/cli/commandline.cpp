@@ -2,8 +2,9 @@
 
 #include "cli/clicompletion.h"
 #include "cli/clitable.h"
-#include "cli/nearestname.h"
-#include "cli/presets.h"
+#include "cli/manyoptions.h"
+#include "jobs/nearestname.h"
+#include "jobs/presets.h"
 
 #include <QThread>
 
@@ -64,7 +65,7 @@ public:
             command = commandNamed(each);
             if (command == cliCommands().end())
                 return unknownCommand(each);
-            if (command->operand != QLatin1String("IN"))
+            if (!command->takesFiles())
                 return usageError(QStringLiteral("batch cannot do \"%1\"").arg(each));
             mOptions.many.emplace().command = each;
         }
@@ -81,6 +82,8 @@ public:
         }
         if (mOptions.command == Command::Help)
             return mOptions;
+        if (const Problem problem = takeInputs(*command))
+            return *problem;
         if (mOptions.showSettings) {
             mOptions.settingsText = settingsOf(*command);
             mOptions.command = Command::Settings;
@@ -122,13 +125,10 @@ private:
     Problem readArgument(const CliCommand &command, const QString &argument)
     {
         if (mOptionsEnded || !argument.startsWith(QLatin1Char('-')) || argument == QLatin1String("-")) {
-            if (mOptions.many)
-                mOptions.many->inputs << argument;
-            else if (!mOptions.input.isEmpty())
-                return usageError(QStringLiteral("one input only, but \"%1\" follows \"%2\"")
-                                      .arg(argument, mOptions.input));
-            if (mOptions.input.isEmpty())
-                mOptions.input = argument;
+            if (!command.takesFiles() && !mInputs.isEmpty())
+                return usageError(QStringLiteral("one name only, but \"%1\" follows \"%2\"")
+                                      .arg(argument, mInputs.first()));
+            mInputs << argument;
             return std::nullopt;
         }
         if (argument == QLatin1String("--help") || argument == QLatin1String("-h")) {
@@ -137,6 +137,31 @@ private:
         }
         return readOption(command, argument);
     }
+
+    //! Several files are a batch, and one whose output goes into a folder.
+    Problem takeInputs(const CliCommand &command)
+    {
+        mOptions.input = mInputs.value(0);
+        const bool isBatch = mOptions.many.has_value();
+        if (!isBatch && (!command.takesFiles() || (mInputs.size() < 2 && !namesFolder())))
+            return std::nullopt;
+        ManyChoice &many = isBatch ? *mOptions.many : mOptions.many.emplace();
+        many.command = command.name;
+        many.inputs = mInputs;
+        many.passed = mPassed;
+        if (many.format.isEmpty())
+            many.format = mOptions.outputFormat;
+        if (isBatch || mOptions.report.isEmpty())
+            return std::nullopt;
+        if (const std::optional<QString> expected = readManyReport(mOptions, mOptions.report))
+            return usageError(QStringLiteral("--report takes %1 of several inputs, not \"%2\"")
+                                  .arg(*expected, mOptions.report));
+        return std::nullopt;
+    }
+
+    bool namesFolder() const { return !makesFiles() && mOptions.output.endsWith(QLatin1Char('/')); }
+    //! True when -o of one input is a folder.
+    bool makesFiles() const { return mOptions.command == Command::Bake || !mOptions.textures.isEmpty(); }
 
     //! Options of several groups may share a name: the one that the command takes, if there is one.
     std::vector<CliOption>::const_iterator optionNamed(const CliCommand &command, const QString &name) const
@@ -236,7 +261,8 @@ private:
         const auto option = optionNamed(command, name);
         if (option == cliOptions().end()) {
             if (isKnown(name))
-                return usageError(QStringLiteral("%1 does not belong to this command").arg(name));
+                return usageError(QStringLiteral("%1 does not belong to this command").arg(name) +
+                                  ofBatch(command, name));
             QStringList names;
             for (const CliOption &row : cliOptions())
                 names += takes(command, row) ? row.names : QStringList();
@@ -257,10 +283,23 @@ private:
         note(*option, value);
         if (const std::optional<QString> expected = option->read(mOptions, value))
             return usageError(QStringLiteral("%1 takes %2, not \"%3\"").arg(name, *expected, value));
-        if (mOptions.many && option->group != OptionGroup::Batching && option->group != OptionGroup::Output &&
-            name != QLatin1String("--progress"))
-            mOptions.many->passed << (option->value.isEmpty() ? name : name + QLatin1Char('=') + value);
+        static const QStringList ofAllFiles{QStringLiteral("--progress"), QStringLiteral("--dry-run"),
+                                            QStringLiteral("--json"), QStringLiteral("--report")};
+        if (option->group != OptionGroup::Batching && option->group != OptionGroup::Output &&
+            !ofAllFiles.contains(name))
+            mPassed << (option->value.isEmpty() ? name : name + QLatin1Char('=') + value);
         return std::nullopt;
+    }
+
+    //! Where an option is that of a batch, how it is given.
+    static QString ofBatch(const CliCommand &command, const QString &name)
+    {
+        const bool isOfBatch =
+            std::any_of(cliOptions().begin(), cliOptions().end(), [&](const CliOption &row) {
+                return row.group == OptionGroup::Batching && row.names.contains(name);
+            });
+        return isOfBatch && command.takesFiles() ? QStringLiteral(", but to \"batch %1\"").arg(command.name)
+                                                 : QString();
     }
 
     //! What concerns several options.
@@ -269,20 +308,25 @@ private:
         if (mOptions.input.isEmpty())
             return usageError(mOptions.command == Command::Sample ? QStringLiteral("no sample named")
                                                                   : QStringLiteral("no input file given"));
-        if (mOptions.many && mOptions.output.isEmpty())
+        if (mOptions.many && mOptions.output.isEmpty() && command.output == CliCommand::Output::Needed)
             return usageError(QStringLiteral("no output folder given (-o DIR)"));
+        const bool keepsJournal =
+            mOptions.many && (mOptions.many->resume || mOptions.many->parts > 0 || mOptions.many->elsewhere);
+        if (keepsJournal && mOptions.output.isEmpty() && mOptions.many->journal.isEmpty())
+            return usageError(QStringLiteral("no folder given for the journal (--journal DIR)"));
         if (command.output == CliCommand::Output::Needed && mOptions.output.isEmpty())
             return usageError(QStringLiteral("no output file given (-o FILE)"));
-        const bool makesFiles = mOptions.command == Command::Bake || !mOptions.textures.isEmpty();
-        if (mOptions.output == QLatin1String("-") && (mOptions.many || makesFiles))
+        if (mOptions.output == QLatin1String("-") && (mOptions.many || makesFiles()))
             return usageError(QStringLiteral("several files are made, which need a folder in place of -"));
         if (mOptions.many && mOptions.many->inputs.contains(QLatin1String("-")))
-            return usageError(QStringLiteral("a batch reads files, not standard input"));
+            return usageError(QStringLiteral("several inputs are files, not standard input"));
+        if (mOptions.output == QLatin1String("-") && mOptions.report == QLatin1String("-"))
+            return usageError(QStringLiteral("-o and --report cannot both go to standard output"));
         if (mOptions.many && !mOptions.layout.isEmpty())
             return usageError(
-                QStringLiteral("--layout names one file; the .html report of a batch has pictures"));
+                QStringLiteral("--layout names one file; the .html report on several files has pictures"));
         if (mOptions.many && mOptions.command == Command::Convert && mOptions.many->format.isEmpty())
-            return usageError(QStringLiteral("a batch of conversions needs --format"));
+            return usageError(QStringLiteral("conversions of several files need --output-format"));
         if (mOptions.given.contains(QStringLiteral("--max-distortion")) && mOptions.unwrap.lambda)
             return usageError(QStringLiteral("--max-distortion and --lambda exclude each other"));
         if (mOptions.command == Command::Lightmap && mOptions.newUvSet.isEmpty())
@@ -323,7 +367,9 @@ private:
 
     const QStringList &mArguments;
     qsizetype mNext = 0;
-    bool mOptionsEnded = false;         //!< by "--"
+    bool mOptionsEnded = false; //!< by "--"
+    QStringList mInputs;
+    QStringList mPassed;                //!< what each of several files gets, as it was given
     std::map<QString, QString> mValues; //!< of the options that were given, by their first names
     CliOptions mOptions;
 };

@@ -19,7 +19,6 @@ struct ManyChoice
     double fileLimit = 0; //!< seconds for each file; 0: none
     bool resume = false;  //!< go on where the journal in the folder ends
     bool retry = false;   //!< the same, and do again what failed
-    bool dryRun = false;  //!< only say what would be done
     QString journal;      //!< folder of the journal; empty: that of the outputs
     int part = 0;         //!< from 1, of so many parts; 0: all files
     int parts = 0;

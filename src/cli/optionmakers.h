@@ -2,6 +2,9 @@
 #pragma once
 
 #include "cli/clioption.h"
+#include "jobs/settingwords.h"
+
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <functional>
@@ -145,10 +148,36 @@ CliOption choice(OptionGroup group, const QString &name, const Field<T> &field,
             }};
 }
 
+//! A choice of a setting that presets name, too.
+template <class T>
+CliOption choice(OptionGroup group, const QString &name, const Field<T> &field, const QString &meaning)
+{
+    return choice(group, name, field, jobs::wordsOf<T>(), meaning);
+}
+
 inline CliOption defaultingTo(CliOption option, const QString &standard)
 {
     option.standard = standard;
     return option;
+}
+
+//! An option for a suffix of files.
+inline CliOption suffixOption(OptionGroup group, const QString &name, const Field<QString> &field,
+                              const QString &meaning)
+{
+    return {group,
+            {name},
+            u"SUFFIX"_s,
+            meaning,
+            {},
+            [field](CliOptions &options, const QString &value) -> std::optional<QString> {
+                static const QRegularExpression suffix(u"^\\.?([a-z0-9]+)$"_s);
+                const auto match = suffix.match(value.toLower());
+                if (!match.hasMatch())
+                    return u"a suffix such as glb"_s;
+                field(options) = match.captured(1);
+                return std::nullopt;
+            }};
 }
 
 } // namespace autocuts

@@ -8,6 +8,7 @@
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
+using Command = CliOptions::Command;
 
 namespace {
 
@@ -16,19 +17,36 @@ Error problem(const QString &what, const QFile &file)
     return {what + u": "_s + file.errorString(), {}, 0, u"Check where it leads, and the space there"_s};
 }
 
+//! The suffix of what goes to standard output.
+QString outputFormatOf(const CliOptions &options)
+{
+    if (!options.outputFormat.isEmpty())
+        return options.outputFormat;
+    switch (options.command) {
+    case Command::Thumbnail:
+        return u"png"_s;
+    case Command::LightBake:
+        return u"exr"_s;
+    case Command::Sample:
+        return u"obj"_s;
+    default:
+        return options.input == u"-" ? options.inputFormat : QFileInfo(options.input).suffix();
+    }
+}
+
 } // namespace
 
 Result<Done> StandardStreams::take(CliOptions &options)
 {
-    if (options.output == u"-") {
-        QString format = options.outputFormat;
-        if (format.isEmpty())
-            format = options.input == u"-" ? options.inputFormat : QFileInfo(options.input).suffix();
-        options.output = mOutput = mFolder.filePath(u"stdout."_s + format);
-    }
-    if (options.input != u"-")
+    if (options.inputFormat.isEmpty())
+        options.inputFormat = options.command == Command::Replay ? u"acproj"_s : u"obj"_s;
+    if (options.output == u"-")
+        options.output = mOutput = mFolder.filePath(u"stdout."_s + outputFormatOf(options));
+    if (options.report == u"-")
+        options.report = mOutput = mFolder.filePath(u"stdout.json"_s);
+    if (options.input != u"-" || options.command == Command::Sample)
         return Done{};
-    options.input = mFolder.filePath(u"stdin."_s + options.inputFormat);
+    options.input = mInput = mFolder.filePath(u"stdin."_s + options.inputFormat);
     QFile stream, file(options.input);
     if (!stream.open(stdin, QIODevice::ReadOnly))
         return problem(u"the standard input cannot be read"_s, stream);
@@ -48,6 +66,15 @@ Result<Done> StandardStreams::give() const
         !stream.flush())
         return problem(u"the standard output cannot be written"_s, stream);
     return Done{};
+}
+
+QString StandardStreams::named(QString text) const
+{
+    if (!mInput.isEmpty())
+        text.replace(mInput, u"standard input"_s);
+    if (!mOutput.isEmpty())
+        text.replace(mOutput, u"standard output"_s);
+    return text;
 }
 
 } // namespace autocuts

@@ -14,14 +14,16 @@ class StandardStreams final
 public:
     //! Reads standard input where the options name it as the input, and names files in place of "-".
     Result<Done> take(CliOptions &options);
-    //! True when the output is for standard output, which then takes nothing else.
+    //! True when the output or the report is for standard output, which then takes nothing else.
     bool hasOutput() const { return !mOutput.isEmpty(); }
-    //! Writes the output to standard output, if there is one.
+    //! Writes what is for standard output there, if there is something.
     Result<Done> give() const;
+    //! A text for the user or a report, with the names of the streams in place of those of the files.
+    QString named(QString text) const;
 
 private:
     QTemporaryDir mFolder;
-    QString mOutput;
+    QString mInput, mOutput; //!< the files; empty where "-" was not given
 };
 
 } // namespace autocuts

@@ -22,10 +22,9 @@ bool hasWildcards(const QString &path)
     return path.contains(u'*') || path.contains(u'?') || path.contains(u'[');
 }
 
-bool isModel(const QString &path)
+bool isModel(const QString &path, const ManyChoice &choice)
 {
-    static const QStringList formats = readableFormats() + QStringList{QLatin1String(projectSuffix)};
-    return formats.contains(QFileInfo(path).suffix().toLower());
+    return choice.command == u"replay" ? isProjectPath(path) : isModelName(path);
 }
 
 QString expression(const QString &pattern)
@@ -78,18 +77,26 @@ class Collecting final
 {
 public:
     Collecting(const ManyChoice &choice, const QString &folder)
-        : mChoice(choice), mOwn(QFileInfo(folder).absoluteFilePath() + u'/')
+        : mChoice(choice), mOwn(folder.isEmpty() ? QString() : QFileInfo(folder).absoluteFilePath() + u'/')
     {}
+
+    //! Adds a file that was found below a folder: the folder of the batch may be there, too.
+    void addFound(const QString &input, const QString &below)
+    {
+        named = true;
+        if (mOwn.isEmpty() || !QFileInfo(input).absoluteFilePath().startsWith(mOwn))
+            add(input, below);
+    }
 
     //! \param below the path of the output below the folder of the batch, with the suffix of the input
     void add(const QString &input, const QString &below)
     {
         const QFileInfo file(input);
         named = true;
-        // The folder of the batch may be below that of the models.
-        if (file.absoluteFilePath().startsWith(mOwn) || mKnown.contains(file.canonicalFilePath()))
+        const QString known = file.exists() ? file.canonicalFilePath() : file.absoluteFilePath();
+        if (mKnown.contains(known))
             return;
-        mKnown << file.canonicalFilePath();
+        mKnown << known;
         tasks.push_back({input, outputOf(below), file.size(), file.lastModified()});
     }
 
@@ -108,7 +115,9 @@ private:
         if (makesFolder)
             return stem;
         if (mChoice.format.isEmpty())
-            return mChoice.command == u"lightbake" ? stem + u".exr"_s : QDir::cleanPath(below);
+            return mChoice.command == u"lightbake"   ? stem + u".exr"_s
+                   : mChoice.command == u"thumbnail" ? stem + u".png"_s
+                                                     : QDir::cleanPath(below);
         return stem + u'.' + mChoice.format;
     }
 
@@ -118,6 +127,12 @@ private:
 };
 
 } // namespace
+
+bool isModelName(const QString &path)
+{
+    static const QStringList formats = readableFormats() + QStringList{QLatin1String(projectSuffix)};
+    return formats.contains(QFileInfo(path).suffix().toLower());
+}
 
 bool matchesPattern(const QString &path, const QString &pattern)
 {
@@ -133,8 +148,8 @@ Result<std::vector<FileTask>> fileTasks(const ManyChoice &choice, const QString 
         all.named = false;
         if (QFileInfo(input).isDir()) {
             for (const QString &below : filesBelow(input)) {
-                if (isModel(below))
-                    all.add(QDir(input).filePath(below), below);
+                if (isModel(below, choice))
+                    all.addFound(QDir(input).filePath(below), below);
             }
         } else if (QFileInfo::exists(input) || !hasWildcards(input)) {
             all.add(input, QFileInfo(input).fileName());
@@ -142,7 +157,7 @@ Result<std::vector<FileTask>> fileTasks(const ManyChoice &choice, const QString 
             const QString fixed = fixedPart(input);
             for (const QString &below : filesBelow(fixed.isEmpty() ? u"."_s : fixed)) {
                 if (matchesPattern(fixed + below, input))
-                    all.add(fixed + below, below);
+                    all.addFound(fixed + below, below);
             }
         }
         if (!all.named)

@@ -21,9 +21,13 @@ struct FileTask
 
 //! Finds the files that the inputs name: files, all models in a folder and below it, or those that match a
 //! pattern with *, ? or [...], and ** for any number of folders. What is below a folder or the part of a
-//! pattern without wildcards is below the folder of the batch in the same place.
+//! pattern without wildcards is below the folder of the batch in the same place. What is in that folder
+//! already counts only where it is named itself. \param folder of the batch; empty: there are no outputs
 //! \returns each file once, by name; an Error where there is none, or two files would have one output
 Result<std::vector<FileTask>> fileTasks(const ManyChoice &choice, const QString &folder);
+
+//! True for a path that has the suffix of a model.
+bool isModelName(const QString &path);
 
 //! Makes a path match what it names by * (within a folder), ** (any folders), ? and [...].
 bool matchesPattern(const QString &path, const QString &pattern);

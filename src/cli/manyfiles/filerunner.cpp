@@ -1,6 +1,7 @@
 #include "cli/manyfiles/filerunner.h"
 
 #include "cli/clitable.h"
+#include "cli/manyfiles/machine.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -11,9 +12,6 @@
 #include <QTimer>
 
 #include <algorithm>
-#include <csignal>
-#include <sys/prctl.h>
-#include <unistd.h>
 
 namespace autocuts::manyfiles {
 
@@ -25,14 +23,6 @@ constexpr int lookEvery = 50; //!< milliseconds
 constexpr qint64 programMemory = 100'000'000;
 constexpr qint64 memoryPerByte = 150;
 constexpr int pictureSide = 160;
-
-//! Runs in the new process. Its files are worked on for the batch only: without it nothing would note what
-//! comes of them, and Ctrl-C on a terminal is for the batch, which ends the others itself.
-void endWithParent()
-{
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    ::setpgid(0, 0);
-}
 
 const CliCommand &commandOf(const ManyChoice &choice)
 {
@@ -55,6 +45,15 @@ QStringList linesWith(const QByteArray &output, QLatin1StringView beginning)
         if (line.startsWith(beginning))
             lines << line.mid(beginning.size());
     }
+    return lines;
+}
+
+//! What check says that --fail-on names.
+QStringList findings(const QByteArray &errors)
+{
+    QStringList lines = linesWith(errors, "autocuts-cli: "_L1);
+    lines.removeIf(
+        [](const QString &line) { return line.startsWith("warning: "_L1) || line.startsWith("note: "_L1); });
     return lines;
 }
 
@@ -99,7 +98,7 @@ QStringList FileRunner::argumentsFor(const FileTask &task, const QString &report
 {
     const CliCommand &command = commandOf(mChoice);
     QStringList arguments = QStringList{command.name} + mChoice.passed;
-    if (command.takes(OptionGroup::Output))
+    if (command.takes(OptionGroup::Output) && !mFolder.isEmpty())
         arguments << u"-o"_s << QDir(mFolder).filePath(task.output);
     if (command.takes(OptionGroup::Reporting))
         arguments << u"--report"_s << report;
@@ -160,8 +159,9 @@ void FileRunner::start(const FileTask &task)
     auto &running = *mRunning.emplace_back(std::make_unique<Running>());
     running.task = task;
     running.report = mReports.filePath(pictureName(task) + u".json"_s);
-    QDir().mkpath(QFileInfo(QDir(mFolder).filePath(task.output)).path());
-    running.process.setChildProcessModifier(endWithParent);
+    if (!mFolder.isEmpty())
+        QDir().mkpath(QFileInfo(QDir(mFolder).filePath(task.output)).path());
+    endWithProgram(running.process);
     running.clock.start();
     running.process.start(QCoreApplication::applicationFilePath(), argumentsFor(task, running.report));
 }
@@ -221,7 +221,7 @@ FileResult FileRunner::resultOf(Running &running) const
     else if (code == 3)
         result.status = u"bound_missed"_s;
     else if (code == 4)
-        failed(u"failed"_s, u"the map is not as it is to be"_s);
+        failed(u"check_failed"_s, findings(errors).join(u"; "_s));
     else
         failed(u"failed"_s, linesWith(errors, "autocuts-cli: "_L1).value(0, u"exit code %1"_s.arg(code)));
     return result;
@@ -229,7 +229,7 @@ FileResult FileRunner::resultOf(Running &running) const
 
 void FileRunner::startPicture(Running &running)
 {
-    const bool writesModel = commandOf(mChoice).takes(OptionGroup::Output) &&
+    const bool writesModel = commandOf(mChoice).takes(OptionGroup::Output) && !mFolder.isEmpty() &&
                              !QFileInfo(QDir(mFolder).filePath(running.task.output)).isDir() &&
                              mChoice.command != u"lightbake" && mChoice.command != u"thumbnail";
     running.drawing = true;

@@ -35,7 +35,7 @@ bool mayBegin(const FileTask &task, const RunLimits &limits, int running, qint64
 class FileRunner final
 {
 public:
-    //! \param folder of the outputs; it is there
+    //! \param folder of the outputs; it is there; empty: nothing is written
     //! \param pictures folder for a picture of each output, named as pictureName() says; empty: none
     FileRunner(const ManyChoice &choice, const QString &folder, const QString &pictures,
                const RunLimits &limits);

@@ -1,6 +1,7 @@
 #include "cli/manyfiles/manyfiles.h"
 
 #include "cli/manyfiles/filerunner.h"
+#include "cli/manyfiles/machine.h"
 #include "cli/manyfiles/runreport.h"
 #include "cli/progressline.h"
 #include "model/io/savefile.h"
@@ -10,11 +11,10 @@
 #include <QElapsedTimer>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QLockFile>
+#include <QTemporaryDir>
 #include <QThread>
 
 #include <algorithm>
-#include <unistd.h>
 
 namespace autocuts::manyfiles {
 
@@ -28,11 +28,6 @@ constexpr qint64 weightOfFile = 20'000;
 qint64 weightOf(const FileTask &task)
 {
     return task.bytes + weightOfFile;
-}
-
-qint64 freeMemory()
-{
-    return qint64(sysconf(_SC_AVPHYS_PAGES)) * sysconf(_SC_PAGESIZE);
 }
 
 QString durationText(double seconds)
@@ -109,8 +104,8 @@ class Batch final
 public:
     Batch(const CliOptions &options, StopSource &stop, bool onTerminal, QTextStream &out, QTextStream &err)
         : mOptions(options), mChoice(*options.many), mStop(stop), mOnTerminal(onTerminal), mOut(out),
-          mErr(err), mNotes(mChoice.journal.isEmpty() ? options.output : mChoice.journal),
-          mPictures(QDir(mNotes).filePath(u".autocuts-batch"_s)), mJournal(mChoice, mNotes)
+          mErr(err), mNotes(notesOf(options)), mPictures(QDir(mNotes).filePath(u".autocuts-batch"_s)),
+          mJournal(mChoice, mNotes)
     {}
 
     int run()
@@ -122,16 +117,18 @@ public:
             if (mChoice.parts == 0 || int(i % std::size_t(mChoice.parts)) == mChoice.part - 1)
                 mTasks.push_back(tasks.value()[i]);
         }
-        if (mChoice.dryRun)
+        if (isModelName(mOptions.output) && !QFileInfo(mOptions.output).isDir())
+            return fail({u"several files need a folder, and this looks like a file"_s, mOptions.output, 0,
+                         u"Name a folder behind -o, with a slash at its end"_s});
+        if (mOptions.dryRun)
             return sayPlan();
         for (const QString &folder : {mOptions.output, mNotes}) {
-            if (!QDir().mkpath(folder))
+            if (!folder.isEmpty() && !QDir().mkpath(folder))
                 return fail({u"the folder cannot be made"_s, folder, 0, u"Check the permissions"_s});
         }
-        QLockFile lock(QDir(mNotes).filePath(u'.' + RunJournal::nameFor(mChoice) + u".lock"_s));
-        lock.setStaleLockTime(0);
-        if (!lock.tryLock())
-            return fail({u"another batch works in this folder"_s, mNotes, 0, u"Wait for it"_s});
+        const auto lock = RunJournal::lock(mChoice, mNotes);
+        if (!lock)
+            return fail(lock.error());
         if (const Result<Done> begun = begin(); !begun)
             return fail(begun.error());
         const Result<Done> worked = work();
@@ -149,10 +146,29 @@ private:
         return 1;
     }
 
+    //! The folder of the journal. Without a place for it, it is one that goes with the batch.
+    QString notesOf(const CliOptions &options)
+    {
+        if (!mChoice.journal.isEmpty())
+            return mChoice.journal;
+        if (!options.output.isEmpty())
+            return options.output;
+        mOwnNotes.emplace();
+        return mOwnNotes->path();
+    }
+
+    bool isCheck() const { return mOptions.each == CliOptions::Command::Check; }
+
     int sayPlan()
     {
-        for (const FileTask &task : mTasks)
-            mOut << task.input << " -> " << QDir(mOptions.output).filePath(task.output) << '\n';
+        for (const FileTask &task : mTasks) {
+            if (isCheck() || mOptions.output.isEmpty())
+                mOut << task.input << ": nothing would be written\n";
+            else
+                mOut << task.input << " -> " << QDir(mOptions.output).filePath(task.output) << '\n';
+        }
+        if (!mChoice.report.isEmpty())
+            mOut << "all of them -> " << mChoice.report << '\n';
         mOut << Qt::flush;
         return 0;
     }
@@ -192,8 +208,7 @@ private:
             return false;
         if (!found->second.succeeded())
             return !mChoice.retry;
-        return mOptions.each == CliOptions::Command::Check ||
-               QFileInfo::exists(QDir(mOptions.output).filePath(task.output));
+        return isCheck() || QFileInfo::exists(QDir(mOptions.output).filePath(task.output));
     }
 
     RunLimits limits() const
@@ -303,16 +318,35 @@ private:
         return saveAtomically(mChoice.report, htmlReport(report));
     }
 
+    //! Of files that are checked, what was found in each.
+    void sayFindings()
+    {
+        if (mOptions.json) {
+            mOut << QString::fromUtf8(jsonReport({mChoice, results(), {}, {}})) << Qt::flush;
+            return;
+        }
+        for (const FileResult &result : results()) {
+            QStringList found = result.warnings + QStringList{result.message};
+            found.removeAll(QString());
+            mOut << result.task.input << ": "
+                 << (found.isEmpty() ? u"no problems found"_s : found.join(u"; "_s)) << '\n';
+        }
+    }
+
     int saySummary()
     {
         std::map<QString, int> counts = countsOf(results());
-        if (!mOptions.quiet) {
+        if (isCheck() && (mOptions.json || !mOptions.quiet))
+            sayFindings();
+        if (!mOptions.quiet && !mOptions.json) {
             for (const auto &[status, count] : counts)
                 mOut << status << ": " << count << '\n';
             mOut << Qt::flush;
         }
         if (counts[u"failed"_s] + counts[u"crashed"_s] + counts[u"timed_out"_s] > 0)
             return 1;
+        if (counts[u"check_failed"_s] > 0)
+            return 4;
         return counts[u"bound_missed"_s] > 0 ? 3 : 0;
     }
 
@@ -322,6 +356,7 @@ private:
     bool mOnTerminal;
     QTextStream &mOut;
     QTextStream &mErr;
+    std::optional<QTemporaryDir> mOwnNotes;
     QString mNotes, mPictures; //!< the folder of the journal, and the one of pictures there
     RunJournal mJournal;
     std::vector<FileTask> mTasks;

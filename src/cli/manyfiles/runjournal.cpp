@@ -1,11 +1,11 @@
 #include "cli/manyfiles/runjournal.h"
 
+#include "model/io/filecalls.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
-
-#include <unistd.h>
 
 namespace autocuts::manyfiles {
 
@@ -99,6 +99,28 @@ QString RunJournal::nameFor(const ManyChoice &choice)
     return choice.parts == 0 ? all : u"%1.%2-of-%3"_s.arg(all).arg(choice.part).arg(choice.parts);
 }
 
+Result<std::unique_ptr<QLockFile>> RunJournal::lock(const ManyChoice &choice, const QString &folder)
+{
+    constexpr int soon = 1000; // milliseconds; batches that begin together look at each other's locks
+    const auto lockOf = [&](const QString &name) {
+        auto lock = std::make_unique<QLockFile>(QDir(folder).filePath(name));
+        lock->setStaleLockTime(0);
+        return lock;
+    };
+    const Error taken{u"another batch works in this folder"_s, folder, 0, u"Wait for it"_s};
+    auto own = lockOf(u'.' + nameFor(choice) + u".lock"_s);
+    if (!own->tryLock(soon))
+        return taken;
+    const QString sameParts = u"-of-%1.lock"_s.arg(choice.parts);
+    for (const QString &name :
+         QDir(folder).entryList({u".autocuts-batch*.lock"_s}, QDir::Files | QDir::Hidden)) {
+        const bool isOwn = name == QFileInfo(own->fileName()).fileName();
+        if (!isOwn && !name.endsWith(sameParts) && !lockOf(name)->tryLock(soon))
+            return taken;
+    }
+    return own;
+}
+
 QStringList RunJournal::partPaths() const
 {
     QStringList paths;
@@ -163,7 +185,7 @@ Result<FileResults> RunJournal::resume(const ManyChoice &choice)
 Result<Done> RunJournal::add(const FileResult &result)
 {
     const QByteArray line = QJsonDocument(result.toJson()).toJson(QJsonDocument::Compact) + '\n';
-    if (mFile.write(line) != line.size() || !mFile.flush() || ::fsync(mFile.handle()) != 0)
+    if (mFile.write(line) != line.size() || !mFile.flush() || !filecalls::reachesDisk(mFile))
         return Error{u"the journal cannot be written: %1"_s.arg(mFile.errorString()), mPath, 0,
                      u"Make room, then go on with --resume"_s};
     return Done{};

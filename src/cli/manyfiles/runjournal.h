@@ -5,8 +5,10 @@
 
 #include <QFile>
 #include <QJsonObject>
+#include <QLockFile>
 
 #include <map>
+#include <memory>
 
 namespace autocuts::manyfiles {
 
@@ -14,7 +16,8 @@ namespace autocuts::manyfiles {
 struct FileResult
 {
     FileTask task;
-    QString status;  //!< "done", "bound_missed", "time_limit", "failed", "crashed" or "timed_out"
+    QString
+        status; //!< "done", "bound_missed", "time_limit", "check_failed", "failed", "crashed" or "timed_out"
     QString message; //!< why it failed
     QStringList warnings;
     QJsonObject figures; //!< the numbers of the report
@@ -52,6 +55,10 @@ public:
     FileResults ofParts(const ManyChoice &choice) const;
     //! The name of the journal without its suffix.
     static QString nameFor(const ManyChoice &choice);
+
+    //! Locks the journal. An Error when another batch has it, or works on the same files: all of them while
+    //! this is a part, or another division into parts.
+    static Result<std::unique_ptr<QLockFile>> lock(const ManyChoice &choice, const QString &folder);
 
 private:
     QStringList partPaths() const;

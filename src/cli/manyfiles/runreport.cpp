@@ -200,9 +200,10 @@ QByteArray htmlReport(const RunReport &report)
          QStringList{u"file"_s, u"status"_s, u"message"_s} + figures + QStringList{u"seconds"_s})
         out += heading(name);
     out += u"</tr></thead><tbody>\n"_s;
+    QByteArray page = out.toUtf8(); // the rows have the pictures, which take most of the memory
     for (const FileResult &result : sorted)
-        out += row(report, figures, result);
-    return (out + QString::fromLatin1(pageEnd)).toUtf8();
+        page += row(report, figures, result).toUtf8();
+    return page + pageEnd;
 }
 
 } // namespace autocuts::manyfiles

@@ -2,6 +2,7 @@
 #include "cli/batch.h"
 #include "cli/commandline.h"
 #include "cli/manyfiles/manyfiles.h"
+#include "cli/program/startup.h"
 #include "jobs/letgo.h"
 
 #include <QCoreApplication>
@@ -10,14 +11,8 @@
 #include <QUtf8StringView>
 
 #include <algorithm>
-#include <array>
-#include <clocale>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
-#include <langinfo.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 namespace {
 
@@ -28,42 +23,6 @@ extern "C" void interrupt(int signal)
     // A second signal ends the program at once.
     std::signal(signal, SIG_DFL);
     stopSource.request(autocuts::StopReason::Interrupted);
-}
-
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-//! OpenBLAS starts a thread for each core when it is loaded. Where the address space is limited, it ends the
-//! program when it cannot, or tries for ever to map a buffer for each of them. The program uses none of them,
-//! so it begins again without them, before any library begins to work: nothing but system calls works here.
-void beginWithoutBlasThreads(int, char *arguments[], char *environment[])
-{
-    constexpr const char *none = "OPENBLAS_NUM_THREADS=1";
-    constexpr std::size_t most = 4096;
-    rlimit space{};
-    if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY)
-        return;
-    std::array<char *, most + 2> changed{};
-    std::size_t count = 0;
-    for (; *environment && count < most; ++environment) {
-        if (std::strcmp(*environment, none) == 0)
-            return;
-        if (std::strncmp(*environment, none, std::strlen(none) - 1) != 0)
-            changed[count++] = *environment;
-    }
-    changed[count] = const_cast<char *>(none);
-    execve("/proc/self/exe", arguments, changed.data());
-}
-
-using BeforeLibraries = void (*)(int, char *[], char *[]);
-[[gnu::section(".preinit_array"), gnu::used]] const BeforeLibraries first = beginWithoutBlasThreads;
-#endif
-
-//! Selects a UTF-8 locale when there is none, as in cron jobs and containers: Qt needs one for file names and
-//! otherwise prints a warning.
-void ensureUtf8Locale()
-{
-    std::setlocale(LC_CTYPE, "");
-    if (std::strcmp(nl_langinfo(CODESET), "UTF-8") != 0)
-        setenv("LC_ALL", "C.UTF-8", 1);
 }
 
 //! Qt would replace what is not UTF-8 in the names of files, and so read and write files of other names.
@@ -90,7 +49,7 @@ int ended(int code, QTextStream &out, QTextStream &err)
 
 int main(int argc, char *argv[])
 {
-    ensureUtf8Locale();
+    autocuts::ensureUtf8Locale();
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("autocuts-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(AUTOCUTS_VERSION));
@@ -111,10 +70,8 @@ int main(int argc, char *argv[])
         std::signal(SIGINT, interrupt);
         std::signal(SIGTERM, interrupt);
     }
-    // Without these signals, closed pipes and file size limits are reported as failed writes.
-    std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);
+    autocuts::reportFailedWrites();
     const auto run = options->many ? autocuts::manyfiles::runBatch : autocuts::runCommand;
-    const int code = run(options.value(), stopSource, isatty(STDERR_FILENO), out, err);
+    const int code = run(options.value(), stopSource, autocuts::isOnTerminal(), out, err);
     return ended(code, out, err);
 }

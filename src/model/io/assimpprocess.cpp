@@ -1,6 +1,7 @@
 #include "model/io/assimpprocess.h"
 
 #include "model/io/assimpstream.h"
+#include "model/io/readerprocess.h"
 #include "model/io/savefile.h"
 
 #include <QCoreApplication>
@@ -11,17 +12,8 @@
 
 #include <assimp/scene.h>
 
-#include <array>
-#include <cerrno>
-#include <csignal>
 #include <exception>
-#include <fcntl.h>
-#include <optional>
-#include <poll.h>
-#include <spawn.h>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 namespace autocuts {
@@ -36,9 +28,6 @@ constexpr qint64 memoryPerByte = 128;
 constexpr qint64 secondsBase = 10;
 constexpr qint64 bytesPerSecond = 20'000;
 constexpr qint64 wallFactor = 6;
-
-constexpr int pollInterval = 20; //!< milliseconds
-constexpr std::size_t chunkSize = std::size_t(1) << 18;
 
 Error unreadable(const QString &path, const QString &reason)
 {
@@ -75,76 +64,11 @@ QString readerProgram()
     return {};
 }
 
-//! A running reader. It is ended and waited for at the latest by the destructor.
-class Reader
+//! The reader with its arguments.
+std::vector<std::string> commandFor(const QString &path, const ReaderLimits &limits)
 {
-public:
-    Reader(const QString &path, const ReaderLimits &limits);
-    ~Reader() { end(); }
-    Reader(const Reader &) = delete;
-    Reader &operator=(const Reader &) = delete;
-
-    bool started() const { return mOutput >= 0; }
-    //! Appends what the reader has written to the bytes, after a short while at most. False at the end.
-    bool read(std::vector<char> &bytes);
-    //! Kills the reader unless it has ended, and returns the status of waitpid().
-    int end();
-
-private:
-    pid_t mProcess = -1;
-    int mOutput = -1;
-    int mStatus = 0;
-};
-
-Reader::Reader(const QString &path, const ReaderLimits &limits)
-{
-    const std::string program = QFile::encodeName(readerProgram()).toStdString();
-    std::array<std::string, 4> arguments{program, QFile::encodeName(path).toStdString(),
-                                         std::to_string(limits.memory), std::to_string(limits.cpuSeconds)};
-    std::array<char *, 5> argv{};
-    for (std::size_t i = 0; i < arguments.size(); ++i)
-        argv[i] = arguments[i].data();
-    std::array<int, 2> ends{};
-    if (program.empty() || pipe2(ends.data(), O_CLOEXEC) != 0)
-        return;
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    const bool started =
-        posix_spawn(&mProcess, program.c_str(), &actions, nullptr, argv.data(), environ) == 0;
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[1]);
-    if (started)
-        mOutput = ends[0];
-    else
-        close(ends[0]);
-}
-
-bool Reader::read(std::vector<char> &bytes)
-{
-    pollfd output{mOutput, POLLIN, 0};
-    if (poll(&output, 1, pollInterval) <= 0)
-        return true; // nothing yet
-    const std::size_t size = bytes.size();
-    bytes.resize(size + chunkSize);
-    const ssize_t got = ::read(mOutput, bytes.data() + size, chunkSize);
-    bytes.resize(size + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-    return got > 0 || (got < 0 && errno == EINTR);
-}
-
-int Reader::end()
-{
-    if (!started())
-        return mStatus;
-    // At the end of its output it has ended by itself already, and this changes nothing.
-    kill(mProcess, SIGKILL);
-    while (waitpid(mProcess, &mStatus, 0) < 0 && errno == EINTR) {
-    }
-    close(mOutput);
-    mOutput = -1;
-    return mStatus;
+    return {QFile::encodeName(readerProgram()).toStdString(), QFile::encodeName(path).toStdString(),
+            std::to_string(limits.memory), std::to_string(limits.cpuSeconds)};
 }
 
 Error tooLong(const QString &path, qint64 seconds)
@@ -160,13 +84,14 @@ Error tooLarge(const QString &path, qint64 memory)
 }
 
 //! Why the reader ended without a scene.
-Error failure(int status, const std::vector<char> &output, const QString &path, const ReaderLimits &limits)
+Error failure(const ReaderEnd &end, const std::vector<char> &output, const QString &path,
+              const ReaderLimits &limits)
 {
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+    if (end.tookTooLong)
         return tooLong(path, limits.cpuSeconds);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == readerexit::outOfMemory)
+    if (end.code == readerexit::outOfMemory)
         return tooLarge(path, limits.memory);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == readerexit::unreadable) {
+    if (end.code == readerexit::unreadable) {
         const QByteArrayView text(output.data(), static_cast<qsizetype>(output.size()));
         return unreadable(path, QString::fromUtf8(text.sliced(text.lastIndexOf('\0') + 1)));
     }
@@ -184,7 +109,7 @@ ReaderLimits readerLimits(qint64 size)
 Result<std::shared_ptr<aiScene>> readInProcess(const QString &path, const ReaderLimits &limits,
                                                const std::atomic<bool> *stop)
 {
-    Reader reader(path, limits);
+    ReaderProcess reader(commandFor(path, limits));
     if (!reader.started())
         return noReader(path);
     QElapsedTimer clock;
@@ -198,9 +123,9 @@ Result<std::shared_ptr<aiScene>> readInProcess(const QString &path, const Reader
         if (std::ssize(output) > limits.memory)
             return tooLarge(path, limits.memory);
     }
-    const int status = reader.end();
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != readerexit::done)
-        return failure(status, output, path, limits);
+    const ReaderEnd end = reader.end();
+    if (end.code != readerexit::done)
+        return failure(end, output, path, limits);
     try {
         return std::shared_ptr<aiScene>(readAssimpScene(output, static_cast<std::size_t>(limits.memory)));
     } catch (const std::runtime_error &e) {

@@ -1,6 +1,7 @@
 #include "model/io/fileclashes.h"
 
 #include "model/document/documentstate.h"
+#include "model/io/filecalls.h"
 #include "model/io/gltf/gltfsource.h"
 #include "model/io/materiallooks.h"
 #include "model/io/objmaterials.h"
@@ -14,10 +15,6 @@
 #include <QFileInfo>
 #include <QSet>
 #include <QUrl>
-
-#ifdef Q_OS_UNIX
-#include <sys/stat.h>
-#endif
 
 namespace autocuts {
 
@@ -35,14 +32,8 @@ struct ErrorTexts
 QByteArray fileKey(const QString &path)
 {
     const QFileInfo info(path);
-#ifdef Q_OS_UNIX
-    struct stat status = {};
-    if (stat(QFile::encodeName(path).constData(), &status) == 0)
-        return QByteArray::number(quint64(status.st_dev)) + ':' + QByteArray::number(quint64(status.st_ino));
-#else
-    if (info.exists())
-        return info.canonicalFilePath().toUtf8();
-#endif
+    if (const FileStamp stamp = FileStamp::of(path); stamp.exists())
+        return QByteArray::number(stamp.device) + ':' + QByteArray::number(stamp.number);
     const QString folder = QFileInfo(info.absolutePath()).canonicalFilePath();
     return QDir(folder.isEmpty() ? info.absolutePath() : folder).filePath(info.fileName()).toUtf8();
 }

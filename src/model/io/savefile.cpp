@@ -1,5 +1,6 @@
 #include "model/io/savefile.h"
 
+#include "model/io/filecalls.h"
 #include "model/io/setjournal.h"
 
 #include <QCoreApplication>
@@ -12,11 +13,6 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
-#ifdef Q_OS_UNIX
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#endif
 
 namespace autocuts {
 
@@ -29,25 +25,12 @@ struct ErrorTexts
     Q_DECLARE_TR_FUNCTIONS(FileErrors)
 };
 
-//! Forces delayed writes, so that an error such as a full disk is noticed. Qt does not.
-bool reachesDisk([[maybe_unused]] int handle)
-{
-#ifdef Q_OS_UNIX
-    // Some file systems cannot sync (EINVAL, EROFS); only lost data is an error.
-    return fsync(handle) == 0 || (errno != EIO && errno != ENOSPC && errno != EDQUOT);
-#else
-    return true;
-#endif
-}
-
 //! \param systemError errno after the step that failed
 Error writeError(const QString &path, int systemError, const QString &reason)
 {
-#ifdef Q_OS_UNIX
-    if (systemError == ENOSPC || systemError == EDQUOT)
+    if (filecalls::isOutOfSpace(systemError))
         return {ErrorTexts::tr("there is no space left on the disk"), path, 0,
                 ErrorTexts::tr("Free some space, or choose another folder")};
-#endif
     return {ErrorTexts::tr("the file cannot be written (%1)").arg(reason), path, 0,
             ErrorTexts::tr("Check the permissions and the free space of the folder, or choose another one")};
 }
@@ -78,42 +61,14 @@ std::filesystem::path native(const QString &path)
     return path.toStdU16String();
 }
 
-#ifdef Q_OS_UNIX
-//! The permissions that new files do not get. It can be read only by changing it, so that is done before
-//! there are threads.
-const mode_t createMask = [] {
-    const mode_t mask = umask(S_IWGRP | S_IWOTH);
-    umask(mask);
-    return mask;
-}();
-
-#endif
-
-//! Every file of a set is open until it is in its place: a bake of many tiles may have more of them than the
-//! usual limit.
-void allowManyFiles()
-{
-#ifdef Q_OS_UNIX
-    rlimit limit{};
-    if (getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur < limit.rlim_max) {
-        limit.rlim_cur = limit.rlim_max;
-        setrlimit(RLIMIT_NOFILE, &limit);
-    }
-#endif
-}
-
 //! Gives a temporary file, which only its owner may read, the permissions of the file it replaces, or those
 //! of a new file.
 void setUsualPermissions(QFile &file, const QFileInfo &target)
 {
-    if (target.exists()) {
+    if (target.exists())
         file.setPermissions(target.permissions());
-        return;
-    }
-#ifdef Q_OS_UNIX
-    constexpr mode_t all = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
-    fchmod(file.handle(), all & ~createMask);
-#endif
+    else
+        filecalls::setPermissionsOfNewFile(file);
 }
 
 } // namespace
@@ -156,7 +111,7 @@ Result<Done> FileSet::add(const QString &path, QByteArrayView bytes)
     if (Result<Done> fine = checkTarget(path); !fine)
         return fine;
     if (!mFiles.empty())
-        allowManyFiles();
+        filecalls::allowManyFiles(); // every file of a set is open until it is in its place
     const QFileInfo target(withoutLinks(path));
     auto file = std::make_unique<QTemporaryFile>(target.absoluteFilePath() + u".XXXXXX"_s);
     errno = 0;
@@ -164,7 +119,7 @@ Result<Done> FileSet::add(const QString &path, QByteArrayView bytes)
         return writeError(path, *file, errno);
     // QFile does not notice when the flush of its own close fails.
     const bool written = file->write(bytes.data(), bytes.size()) == bytes.size() && file->flush();
-    if (!written || !reachesDisk(file->handle()))
+    if (!written || !filecalls::reachesDisk(*file))
         return writeError(path, *file, errno);
     setUsualPermissions(*file, target);
     Pending pending{path, target.absoluteFilePath(), std::move(file), {}, {}, false};

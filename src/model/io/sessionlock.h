@@ -1,6 +1,8 @@
 // Sessions that more than one program uses at once: what changed on disk, and who has a session open.
 #pragma once
 
+#include "model/io/filecalls.h"
+
 #include <QString>
 
 #include <memory>
@@ -8,19 +10,6 @@
 class QLockFile;
 
 namespace autocuts {
-
-//! What a file was when it was read or written. Another one with the same name, and one that was changed,
-//! differ.
-struct FileStamp
-{
-    qint64 size = -1;    //!< -1: there is no file
-    qint64 modified = 0; //!< nanoseconds
-    quint64 device = 0, number = 0;
-
-    static FileStamp of(const QString &path);
-    bool exists() const { return size >= 0; }
-    bool operator==(const FileStamp &) const = default;
-};
 
 //! Says by a file beside a session, .NAME.lock, that this program has it open. Nothing is locked where such a
 //! file cannot be written. The file goes with the object; one that was left by a crash counts for nothing.

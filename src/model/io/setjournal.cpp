@@ -1,6 +1,6 @@
 #include "model/io/setjournal.h"
 
-#include "model/io/sessionlock.h"
+#include "model/io/filecalls.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -16,10 +16,6 @@
 #include <cstdio>
 #include <map>
 #include <optional>
-#ifdef Q_OS_UNIX
-#include <sys/file.h>
-#include <unistd.h>
-#endif
 
 namespace autocuts {
 
@@ -33,25 +29,6 @@ struct SetTexts
 };
 
 constexpr qint64 largestNote = 64'000'000;
-
-//! Locks a file until it is closed. \returns true when that cannot be done: another program has locked it
-bool isLocked([[maybe_unused]] const QFile &note)
-{
-#ifdef Q_OS_UNIX
-    return flock(note.handle(), LOCK_EX | LOCK_NB) != 0;
-#else
-    return false;
-#endif
-}
-
-bool isOwn([[maybe_unused]] const QFile &note)
-{
-#ifdef Q_OS_UNIX
-    return QFileInfo(note).ownerId() == geteuid();
-#else
-    return true;
-#endif
-}
 
 //! Numbers as text, because JSON has no whole numbers of this size.
 QString stampText(const FileStamp &stamp)
@@ -106,7 +83,8 @@ struct FoundSet
 bool openNote(const QString &path, FoundSet &set)
 {
     auto note = std::make_unique<QFile>(path);
-    if (!note->open(QIODevice::ReadWrite | QIODevice::ExistingOnly) || !isOwn(*note) || isLocked(*note))
+    if (!note->open(QIODevice::ReadWrite | QIODevice::ExistingOnly) || !filecalls::belongsToUser(*note) ||
+        !filecalls::lockUntilClosed(*note))
         return false;
     set.notes.push_back(std::move(note));
     return true;
@@ -247,7 +225,7 @@ int SetJournal::begin(const QStringList &targets)
         errno = 0;
         if (!note->open(QIODevice::NewOnly | QIODevice::WriteOnly))
             return errno;
-        isLocked(*note);
+        filecalls::lockUntilClosed(*note);
         mNotes.push_back(std::move(note));
         // Not synced: it is for programs that are killed, whose writes are not lost.
         if (mNotes.back()->write(text) != text.size() || !mNotes.back()->flush())

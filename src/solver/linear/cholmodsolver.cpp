@@ -1,7 +1,8 @@
 #include "solver/linear/cholmodsolver.h"
 
+#include "solver/linear/loadedfunction.h"
+
 #include <cholmod.h>
-#include <dlfcn.h>
 #include <omp.h>
 
 #include <mutex>
@@ -62,7 +63,7 @@ private:
     template <class F>
     static F *function(const char *name)
     {
-        return reinterpret_cast<F *>(dlsym(RTLD_DEFAULT, name));
+        return reinterpret_cast<F *>(loadedFunction(name));
     }
 
     bool mThreadSafe = true;

@@ -41,7 +41,7 @@ PickResult pickMap(const MeshData &mesh, const SoupTopology &topology, const UvM
     const Vec2 mouse = camera.toUv(pixel);
     const double reach = pickRadius / camera.scale();
     PickResult result;
-    std::vector<int> near; // triangle indices
+    std::vector<int> around; // triangle indices
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         const Vec2 a = uv.row(3 * t), b = uv.row(3 * t + 1), c = uv.row(3 * t + 2);
         const Vec2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
@@ -50,12 +50,12 @@ PickResult pickMap(const MeshData &mesh, const SoupTopology &topology, const UvM
             continue;
         if (!uv.middleRows(3 * t, 3).allFinite())
             continue;
-        near.push_back(t);
+        around.push_back(t);
         if (contains(a, b, c, mouse) && cross2(a, b, c) != 0)
             result.triangle = t;
     }
     Nearest side, corner;
-    for (int t : near) {
+    for (int t : around) {
         for (int s = 3 * t; s < 3 * t + 3; ++s) {
             const Vec2 a = (Vec2(uv.row(s)) - mouse) * camera.scale();
             const Vec2 b = (Vec2(uv.row(nextSoupCorner(s))) - mouse) * camera.scale();

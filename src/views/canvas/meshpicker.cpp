@@ -24,7 +24,7 @@ struct MeshPicker::Projection
 {
     std::vector<ScreenPoint> points;
     std::vector<char> before; //!< in front of the eye; other vertices have no screen position
-    std::vector<int> near;    //!< triangles that may be within pickRadius of the mouse, ascending
+    std::vector<int> around;  //!< triangles that may be within pickRadius of the mouse, ascending
 };
 
 namespace {
@@ -74,7 +74,7 @@ MeshPicker::Projection MeshPicker::projectNear(const OrbitCamera &camera, const 
             (a.y < top && b.y < top && c.y < top) || (a.y > bottom && b.y > bottom && c.y > bottom);
         // A triangle that reaches behind the eye can be anywhere on the screen.
         if (!outside || !seen.before[v[0]] || !seen.before[v[1]] || !seen.before[v[2]])
-            seen.near.push_back(t);
+            seen.around.push_back(t);
     }
     return seen;
 }
@@ -84,7 +84,7 @@ std::vector<MeshPicker::Hit> MeshPicker::hits(const OrbitCamera &camera, const P
 {
     const ViewRay ray = camera.ray(pixel);
     std::vector<Hit> found;
-    for (int t : seen.near) {
+    for (int t : seen.around) {
         const std::array<int, 3> &v = mVertices[t];
         // Moeller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
         const Vec3 origin = mPoints.row(v[0]);
@@ -158,8 +158,8 @@ void MeshPicker::collect(const OrbitCamera &camera, const Projection &seen, cons
                          std::vector<Candidate> &sides, std::vector<Candidate> &corners) const
 {
     const double x = pixel.x(), y = pixel.y();
-    for (int i = 0; i < 3 * static_cast<int>(seen.near.size()); ++i) {
-        const int s = 3 * seen.near[i / 3] + i % 3;
+    for (int i = 0; i < 3 * static_cast<int>(seen.around.size()); ++i) {
+        const int s = 3 * seen.around[i / 3] + i % 3;
         const int from = vertex(s), to = vertex(nextSoupCorner(s));
         if (!seen.before[from])
             continue;

@@ -121,13 +121,13 @@ Eigen::Matrix4d OrbitCamera::projectionMatrix(double sceneRadius) const
         matrix(3, 3) = 1;
         return matrix;
     }
-    const double far = std::max(middle + sceneRadius, 1e-4);
+    const double farPlane = std::max(middle + sceneRadius, 1e-4);
     // A 24-bit depth buffer distinguishes 1 part in 1e7, which limits how near the near plane can be.
-    const double near = std::max(middle - sceneRadius, far * 1e-4);
+    const double nearPlane = std::max(middle - sceneRadius, farPlane * 1e-4);
     matrix(0, 0) = 1 / halfWidth;
     matrix(1, 1) = 1 / halfHeight;
-    matrix(2, 2) = -(far + near) / (far - near);
-    matrix(2, 3) = -2 * far * near / (far - near);
+    matrix(2, 2) = -(farPlane + nearPlane) / (farPlane - nearPlane);
+    matrix(2, 3) = -2 * farPlane * nearPlane / (farPlane - nearPlane);
     matrix(3, 2) = -1;
     return matrix;
 }

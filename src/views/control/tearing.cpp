@@ -90,12 +90,12 @@ private:
 
     bool comesOff(int face) const
     {
-        bool inHand = false, near = true;
+        bool inHand = false, allNear = true;
         for (const int s : mMesh.soupCornersOf(face)) {
             inHand = inHand || mFollows[s] == 1;
-            near = near && mFollows[s] >= nearHand;
+            allNear = allNear && mFollows[s] >= nearHand;
         }
-        return inHand || near;
+        return inHand || allNear;
     }
 
     bool stays(int face) const

@@ -10,6 +10,7 @@
 #include "views/panels/foldsection.h"
 #include "views/panels/mapoutcome.h"
 #include "views/panels/numbertext.h"
+#include "views/panels/presetmenu.h"
 #include "views/panels/seampreferenceform.h"
 #include "views/panels/sliderspin.h"
 #include "views/panels/solversettingsform.h"
@@ -44,13 +45,14 @@ QString liveText(const unwrap::LiveMapResult &map)
 
 } // namespace
 
-SolverPanel::SolverPanel(const StudioContext &context, QWidget *parent)
+SolverPanel::SolverPanel(const StudioContext &context, Questions &questions, QWidget *parent)
     : Panel(context, tr("Open a model to unwrap it."), parent)
 {
     auto *layout = new QVBoxLayout(content());
     layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
     layout->setSpacing(rowSpacing + 2);
     layout->addWidget(makeUnwrapForm());
+    layout->addWidget(makePresets(questions));
     layout->addWidget(makeOutcomeRow());
     layout->addWidget(makeHeading(tr("Live")));
     layout->addWidget(makeRunButtons());
@@ -75,6 +77,19 @@ QWidget *SolverPanel::makeUnwrapForm()
     connect(mUnwrap, &UnwrapForm::unwrapRequested, &context().map,
             [this] { context().map.unwrap(context().map.quality()); });
     return mUnwrap;
+}
+
+QWidget *SolverPanel::makePresets(Questions &questions)
+{
+    QPushButton *button = makeButton(tr("Presets"), "presets"_L1);
+    button->setToolTip(tr("Settings of this panel and of Packing under a name, also for the command line"));
+    auto *menu = new PresetMenu(context(), questions, button);
+    button->setMenu(menu);
+    connect(menu, &PresetMenu::applied, this, [this](const QString &message) {
+        mUnwrap->setQuality(context().map.quality());
+        Q_EMIT said(message);
+    });
+    return button;
 }
 
 QWidget *SolverPanel::makeOutcomeRow()

@@ -16,6 +16,7 @@ namespace autocuts {
 
 class ConvergenceGraph;
 class FoldSection;
+class Questions;
 class SeamPreferenceForm;
 class SliderSpin;
 class SolverSettingsForm;
@@ -28,13 +29,18 @@ class SolverPanel final : public Panel
     Q_OBJECT
 
 public:
-    explicit SolverPanel(const StudioContext &context, QWidget *parent = nullptr);
+    SolverPanel(const StudioContext &context, Questions &questions, QWidget *parent = nullptr);
+
+Q_SIGNALS:
+    //! \param message translated, one line, for the status bar
+    void said(const QString &message);
 
 protected:
     void refresh() override;
 
 private:
     QWidget *makeUnwrapForm();
+    QWidget *makePresets(Questions &questions);
     QWidget *makeOutcomeRow();
     QWidget *makeRunButtons();
     QWidget *makeAdvanced();

@@ -129,6 +129,11 @@ QCheckBox *UnwrapForm::addSwitch(const QString &text, QLatin1StringView name, co
     return box;
 }
 
+void UnwrapForm::setQuality(unwrap::UnwrapQuality quality)
+{
+    mQuality->setCurrentIndex(mQuality->findData(int(quality)));
+}
+
 void UnwrapForm::setRecognised(std::optional<double> hardShare)
 {
     QString text = tr("Recognise");

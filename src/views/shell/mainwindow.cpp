@@ -195,7 +195,10 @@ void MainWindow::makePanels()
     connect(doctorPanel, &DoctorPanel::frameSelectionRequested, mActions.action("view.frameSelected"),
             &QAction::trigger);
     QDockWidget *uvSets = add("uvSets", tr("UV sets"), new UvSetPanel(studio), Qt::LeftDockWidgetArea);
-    add("solver", tr("Unwrap"), new SolverPanel(studio), Qt::RightDockWidgetArea);
+    auto *solverPanel = new SolverPanel(studio, *mQuestions);
+    add("solver", tr("Unwrap"), solverPanel, Qt::RightDockWidgetArea);
+    connect(solverPanel, &SolverPanel::said, this,
+            [this](const QString &message) { mStatusBar->showText(message); });
     QDockWidget *islands = add("islands", tr("Islands"), new IslandPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *arranging = add("layout", tr("Layout"), new LayoutPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *seams = add("seams", tr("Seams"), new SeamPanel(studio), Qt::RightDockWidgetArea);

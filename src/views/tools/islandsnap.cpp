@@ -65,15 +65,15 @@ bool IslandSnap::snapToCorner(double reach, IslandSnapResult &result) const
     Vec2 shift = Vec2::Zero();
     for (const Vec2 &point : mMoving) {
         const Vec2 at = point + result.move;
-        auto near = std::lower_bound(mStaying.begin(), mStaying.end(), at.x() - best,
+        auto next = std::lower_bound(mStaying.begin(), mStaying.end(), at.x() - best,
                                      [](const Vec2 &p, double u) { return p.x() < u; });
-        for (; near != mStaying.end() && near->x() <= at.x() + best; ++near) {
-            const double distance = (*near - at).norm();
+        for (; next != mStaying.end() && next->x() <= at.x() + best; ++next) {
+            const double distance = (*next - at).norm();
             if (distance >= best)
                 continue;
             best = distance;
-            shift = *near - at;
-            result.corner = *near;
+            shift = *next - at;
+            result.corner = *next;
         }
     }
     result.move += shift;

@@ -142,10 +142,10 @@ void SelectTool::paint(const ToolEvent &event)
 {
     Document &document = *context().workspace.document();
     const QPointF centre = event.position, reach(mRadius, mRadius);
-    const auto near = [centre, radius = mRadius](const QPointF &p) {
+    const auto isNear = [centre, radius = mRadius](const QPointF &p) {
         return std::hypot(p.x() - centre.x(), p.y() - centre.y()) <= radius;
     };
-    BoxPick picked = event.canvas.pickBox({QRectF(centre - reach, centre + reach), near});
+    BoxPick picked = event.canvas.pickBox({QRectF(centre - reach, centre + reach), isNear});
     // The centre of a large face may be far from the brush although the brush is on the face.
     if (const int triangle = event.canvas.pick(centre).triangle; triangle >= 0)
         picked.faces.push_back(document.mesh().triangleFace[triangle]);

@@ -1,4 +1,4 @@
-#include "cli/nearestname.h"
+#include "jobs/nearestname.h"
 
 #include <algorithm>
 #include <vector>
