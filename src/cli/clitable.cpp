@@ -407,8 +407,10 @@ std::vector<CliOption> batchOptions()
              options.many->resume = options.many->retry = true;
              return std::nullopt;
          }},
-        suffixOption(group, u"--format"_s, fieldOf(&ManyChoice::format),
-                     u"format of the outputs, for example glb; that of each input when not given"_s),
+        suffixOption(
+            group, u"--format"_s, fieldOf(&ManyChoice::format),
+            u"format of the outputs, for example glb; when not given, that of each input, or obj or fbx "
+            "where that cannot be written"_s),
         flag(group, u"--dry-run"_s, fieldOf(&ManyChoice::dryRun), true,
              u"only say which file would be written of which"_s),
         {group,

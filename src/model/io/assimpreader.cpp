@@ -6,6 +6,7 @@
 #include "model/io/assimpprocess.h"
 #include "model/io/assimpscene.h"
 #include "model/io/assimptextures.h"
+#include "model/io/meshformats.h"
 #include "model/io/meshlimits.h"
 #include "model/io/modelunits.h"
 #include "model/plain/hardedges.h"
@@ -325,8 +326,7 @@ Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop,
     Eigen::Matrix4d place = placement;
     if (suffix == QLatin1String("blend"))
         place = unitChange({1, true}, {});
-    // There Assimp makes up the root for the axes and the unit of the file.
-    if (suffix == QLatin1String("dae") || suffix == QLatin1String("3ds")) {
+    if (hasMadeUpRoot(suffix)) {
         place = place * toEigen(read.value()->mRootNode->mTransformation);
         read.value()->mRootNode->mTransformation = {};
     }
