@@ -350,7 +350,7 @@ bool FileController::isGone() const
     return mStamp.exists() && !FileStamp::of(mWorkspace.sessionPath()).exists();
 }
 
-void FileController::relink(const QString &meshPath)
+void FileController::relink(const QString &meshPath, bool tellEdited)
 {
     const Document *document = mWorkspace.document();
     if (!document)
@@ -363,41 +363,46 @@ void FileController::relink(const QString &meshPath)
                 return scene.error();
             return relinkDocument(state, std::move(scene).value(), [&job] { return job.stop().load(); });
         },
-        [this, token = document->token()](const Result<Relinked> &linked) { adoptRelinked(linked, token); });
+        [this, token = document->token(), tellEdited](const Result<Relinked> &linked) {
+            Q_EMIT relinkEnded(adoptRelinked(linked, token, tellEdited));
+        });
     if (!started)
         tellBusy(meshPath);
 }
 
 //! \param token token of the state that was re-linked
-void FileController::adoptRelinked(const Result<Relinked> &linked, const StateToken &token)
+FileController::RelinkEnd FileController::adoptRelinked(const Result<Relinked> &linked,
+                                                        const StateToken &token, bool tellEdited)
 {
     if (!linked) {
         Q_EMIT failed(linked.error());
-        return;
+        return RelinkEnd::Failed;
     }
     // A running solve counts as an edit that is not in the document yet.
     if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing()) {
-        Q_EMIT failed(
-            Error{tr("The model was not re-linked, because the session was edited while the model was "
-                     "read"),
-                  linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")});
-        return;
+        if (tellEdited)
+            Q_EMIT failed(
+                Error{tr("The model was not re-linked, because the session was edited while the model was "
+                         "read"),
+                      linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")});
+        return RelinkEnd::Edited;
     }
     if (const QString problem = linked->state.validate(); !problem.isEmpty()) {
         Q_EMIT failed(Error{problem, linked->state.scene.path, 0, {}});
-        return;
+        return RelinkEnd::Failed;
     }
     pushCommand(std::make_unique<ReplaceModel>(*mWorkspace.document(), linked->state));
     const QString name = QFileInfo(linked->state.scene.path).fileName();
     const QStringList lines = linked->report.lines();
     if (lines.isEmpty()) {
         Q_EMIT done(tr("Re-linked to %1: everything was kept").arg(name));
-        return;
+        return RelinkEnd::Done;
     }
     Selection items;
     items.mode = SelectionMode::Faces;
     items.faces = linked->report.newFaces;
     Q_EMIT noticed(tr("Re-linked to %1: %2").arg(name, lines.join(QStringLiteral("; "))), items);
+    return RelinkEnd::Done;
 }
 
 //! The files that an export must not replace. Looks at the disk when it is called.
@@ -538,10 +543,12 @@ void FileController::tellNotes(const QStringList &notes)
 
 void FileController::tellWritten(const Result<Done> &written, const QString &path)
 {
-    if (written)
-        Q_EMIT done(tr("Wrote %1").arg(QFileInfo(path).fileName()));
-    else
+    if (!written) {
         Q_EMIT failed(written.error());
+        return;
+    }
+    Q_EMIT wrote(path);
+    Q_EMIT done(tr("Wrote %1").arg(QFileInfo(path).fileName()));
 }
 
 void FileController::saveForRecoveryNow()

@@ -49,6 +49,13 @@ public:
                    const QString &recoveryFolder, QObject *parent = nullptr);
     ~FileController() override;
 
+    //! How a re-link ends.
+    enum class RelinkEnd {
+        Done,
+        Failed,
+        Edited //!< refused: the session was edited meanwhile
+    };
+
     //! The job that reads a file, for progress and cancelling.
     JobRunner &jobs() { return mJobs; }
     //! The sessions that a crash left behind.
@@ -66,8 +73,9 @@ public:
     void openSample(const QString &name);
     void recover(const RecoverableSession &session);
     //! Replaces the session's model by a version changed in another program, as one undo entry. The steering
-    //! is transferred. Refused when the session is edited while the model is read.
-    void relink(const QString &meshPath);
+    //! is transferred. Refused when the session is edited while the model is read. Emits relinkEnded(),
+    //! unless it is cancelled. \param tellEdited emit failed(), too, when it is refused
+    void relink(const QString &meshPath, bool tellEdited = true);
     //! Saves the current state of the session off the GUI thread. Emits done() or failed() afterwards.
     //! When another program has changed the session's file since it was opened or saved, nothing is written,
     //! and changedOnDisk() is emitted. \param overwrite replace it all the same
@@ -98,6 +106,9 @@ Q_SIGNALS:
     //! \param message translated, one line, for the status bar
     void done(const QString &message);
     void failed(const autocuts::Error &error);
+    //! A model, or another single file, was written.
+    void wrote(const QString &path);
+    void relinkEnded(autocuts::FileController::RelinkEnd end);
     //! The session's file was not replaced, see save().
     void changedOnDisk(const QString &path);
     //! What the user has to know of a result. \param items what it is about
@@ -115,7 +126,7 @@ private:
     void tellBusy(const QString &path);
     void tellNotes(const QStringList &notes);
     void tellWritten(const Result<Done> &written, const QString &path);
-    void adoptRelinked(const Result<Relinked> &linked, const StateToken &token);
+    RelinkEnd adoptRelinked(const Result<Relinked> &linked, const StateToken &token, bool tellEdited);
     void saveForRecovery(const QString &path, const Autosave::Saved &saved);
     SessionToSave sessionNow(const QString &sessionPath);
     void endAutosave();
