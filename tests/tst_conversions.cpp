@@ -591,6 +591,34 @@ private Q_SLOTS:
         QVERIFY((low - lowAgain).norm() < 1e-5 && (high - highAgain).norm() < 1e-5);
     }
 
+    //! Assimp finds what is animated by its name.
+    void nodesOfOneName()
+    {
+        gltffiles::FileBuilder file = gltffiles::grid();
+        file.json["nodes"][0]["name"] = "arm";
+        file.json["nodes"].push_back({{"name", "arm"}, {"mesh", 0}, {"translation", {70, 0, 0}}});
+        file.json["scenes"][0]["nodes"] = {0, 1};
+        const int times = file.add(std::vector<float>{0, 1}, "SCALAR", 5126, 1);
+        const int values = file.add(std::vector<float>{70, 0, 0, 80, 0, 0}, "VEC3", 5126, 3);
+        const Json channel{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}};
+        const Json sampler{{"input", times}, {"output", values}};
+        file.json["animations"] = {
+            {{"channels", Json::array({channel})}, {"samplers", Json::array({sampler})}}};
+        for (const QByteArray &bytes : {file.glb(), file.text()}) {
+            const QString from = bytes.startsWith('{') ? u"arms.gltf"_s : u"arms.glb"_s;
+            QVERIFY(saveAtomically(at(from), bytes).ok());
+            QVERIFY(writeMesh(readMesh(at(from)).value(), at(u"arms.fbx"_s)).ok());
+            QVERIFY(writeMesh(readMesh(at(u"arms.fbx"_s)).value(), at(u"again.glb"_s)).ok());
+            const QJsonObject json = jsonOf(at(u"again.glb"_s));
+            const int moved = json[u"animations"_s][0][u"channels"_s][0][u"target"_s][u"node"_s].toInt(-1);
+            QVERIFY(moved >= 0);
+            const QJsonValue node = json[u"nodes"_s].toArray().at(moved);
+            const QJsonValue x = node[u"translation"_s].isArray() ? node[u"translation"_s].toArray().at(0)
+                                                                  : node[u"matrix"_s].toArray().at(12);
+            QVERIFY(std::abs(x.toDouble() - 70) < 1e-3);
+        }
+    }
+
     //! What is kept is not said to be lost.
     void animationsThatAreLost()
     {

@@ -22,8 +22,8 @@ namespace {
 constexpr ReaderLimits shortLimits{qint64(512) << 20, 1, 60};
 
 //! Formats of which a file is too much to make here; those of Assimp's test models are read.
-const QStringList onlyOfOthers{u"3ds"_s, u"blend"_s, u"hmp"_s, u"ifc"_s, u"lxo"_s, u"mdc"_s,
-                               u"mdl"_s, u"q3o"_s,   u"q3s"_s, u"sib"_s, u"zae"_s};
+const QStringList onlyOfOthers{u"3ds"_s, u"blend"_s, u"hmp"_s, u"ifc"_s, u"lxo"_s,
+                               u"mdc"_s, u"mdl"_s,   u"q3o"_s, u"q3s"_s, u"sib"_s};
 
 const QStringList ownReaders{u"obj"_s, u"ply"_s, u"stl"_s, u"off"_s, u"gltf"_s, u"glb"_s, u"fbx"_s, u"dae"_s};
 
@@ -103,6 +103,7 @@ private Q_SLOTS:
     void lightsThatAreNotThere();
     void ownFormat_data() { addSheetRows(); }
     void ownFormat();
+    void colladaArchives();
     void filesOfOthers_data();
     void filesOfOthers();
     void damagedFiles_data() { addSheetRows(); }
@@ -114,6 +115,7 @@ private Q_SLOTS:
 void TestTradeFiles::allFormatsAreHere()
 {
     QStringList tested = ownReaders + onlyOfOthers + otherEndings.keys();
+    tested << u"zae"_s; // colladaArchives()
     for (const tradefiles::TradeFile &file : tradefiles::sheets())
         tested << file.suffix;
     QStringList readable = readableFormats();
@@ -220,6 +222,25 @@ void TestTradeFiles::ownFormat()
     QVERIFY(!checked.ok());
     QVERIFY(checked.error().message.contains(suffix));
     QVERIFY(checked.error().remedy.contains(u"fbx"_s));
+}
+
+//! What is in them is read as any Collada file, with its names.
+void TestTradeFiles::colladaArchives()
+{
+    QTemporaryDir folder;
+    Scene scene = readMesh(putSheet(folder, u"ms3d"_s)).value();
+    scene.objectNames = {u"Tür & Tor"_s};
+    scene.uvSets.front().name = u"Lightmap"_s;
+    const QString dae = folder.filePath(u"m.dae"_s);
+    QVERIFY(writeMesh(scene, dae).ok());
+    const QByteArray text = loadFile(dae, 1 << 20).value();
+    const QByteArray manifest = "<?xml version=\"1.0\"?><dae_root>m.dae</dae_root>";
+    const Result<Scene> again =
+        readMesh(put(folder, u"m.zae"_s, tradefiles::zip({{"manifest.xml", manifest}, {"m.dae", text}})));
+    QVERIFY2(again.ok(), again ? "" : qPrintable(again.error().toString()));
+    QCOMPARE(faultOf(again.value(), true), QString());
+    QCOMPARE(again->objectNames, scene.objectNames);
+    QCOMPARE(again->uvSets.front().name, u"Lightmap"_s);
 }
 
 void TestTradeFiles::filesOfOthers_data()

@@ -62,37 +62,6 @@ void floats(QDataStream &out, std::initializer_list<double> values)
         out << float(value);
 }
 
-//! A zip archive that compresses nothing.
-QByteArray zip(const std::vector<std::pair<QByteArray, QByteArray>> &files)
-{
-    QByteArray archive, directory;
-    for (const auto &[name, content] : files) {
-        const auto about = [&](QDataStream &out) {
-            out << quint16(20) << quint16(0) << quint16(0) << quint16(0) << quint16(0x21)
-                << quint32(
-                       crc32(0, reinterpret_cast<const Bytef *>(content.constData()), uInt(content.size())))
-                << quint32(content.size()) << quint32(content.size()) << quint16(name.size()) << quint16(0);
-        };
-        directory += little([&](QDataStream &out) {
-            out << quint32(0x02014b50) << quint16(20);
-            about(out);
-            out << quint16(0) << quint16(0) << quint16(0) << quint32(0) << quint32(archive.size());
-            raw(out, name);
-        });
-        archive += little([&](QDataStream &out) {
-            out << quint32(0x04034b50);
-            about(out);
-            raw(out, name + content);
-        });
-    }
-    const auto count = quint16(files.size());
-    const QByteArray end = little([&](QDataStream &out) {
-        out << quint32(0x06054b50) << quint16(0) << quint16(0) << count << count << quint32(directory.size())
-            << quint32(archive.size()) << quint16(0);
-    });
-    return archive + directory + end;
-}
-
 QByteArray number(double value)
 {
     return QByteArray::number(value, 'g', 12);
@@ -452,6 +421,37 @@ QByteArray pmx()
 }
 
 } // namespace
+
+//! Compresses nothing.
+QByteArray zip(const std::vector<std::pair<QByteArray, QByteArray>> &files)
+{
+    QByteArray archive, directory;
+    for (const auto &[name, content] : files) {
+        const auto about = [&](QDataStream &out) {
+            out << quint16(20) << quint16(0) << quint16(0) << quint16(0) << quint16(0x21)
+                << quint32(
+                       crc32(0, reinterpret_cast<const Bytef *>(content.constData()), uInt(content.size())))
+                << quint32(content.size()) << quint32(content.size()) << quint16(name.size()) << quint16(0);
+        };
+        directory += little([&](QDataStream &out) {
+            out << quint32(0x02014b50) << quint16(20);
+            about(out);
+            out << quint16(0) << quint16(0) << quint16(0) << quint32(0) << quint32(archive.size());
+            raw(out, name);
+        });
+        archive += little([&](QDataStream &out) {
+            out << quint32(0x04034b50);
+            about(out);
+            raw(out, name + content);
+        });
+    }
+    const auto count = quint16(files.size());
+    const QByteArray end = little([&](QDataStream &out) {
+        out << quint32(0x06054b50) << quint16(0) << quint16(0) << count << count << quint32(directory.size())
+            << quint32(archive.size()) << quint16(0);
+    });
+    return archive + directory + end;
+}
 
 QByteArray skinnedX(const std::vector<QByteArray> &bones)
 {

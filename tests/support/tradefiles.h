@@ -19,6 +19,9 @@ struct TradeFile
     std::vector<std::pair<QString, QByteArray>> beside{};
 };
 
+//! A zip archive of files: name and content.
+QByteArray zip(const std::vector<std::pair<QByteArray, QByteArray>> &files);
+
 //! One file for each of these formats.
 std::vector<TradeFile> sheets();
 

@@ -212,6 +212,15 @@ FbxRig::FbxRig(FbxNewObjects &objects, const AssimpSource &source, bool fromGltf
     : mObjects(objects), mSource(source), mFromGltf(fromGltf), mBones(boneNames(*source.scene))
 {}
 
+//! A name that no other model has: programs find what is animated by it.
+QString FbxRig::freeName(const QString &wanted)
+{
+    QString name = wanted;
+    for (int number = 2; !mTaken.insert(name).second; ++number)
+        name = QStringLiteral("%1_%2").arg(wanted).arg(number);
+    return name;
+}
+
 void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int, QString> &names)
 {
     const aiScene &scene = *mSource.scene;
@@ -243,9 +252,9 @@ void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int,
         }
         const QString name = QString::fromUtf8(node.mName.C_Str());
         id = addFbxModel(mObjects,
-                         isMesh    ? object->second
-                         : isApart ? name + QStringLiteral("_node")
-                                   : name,
+                         freeName(isMesh    ? object->second
+                                  : isApart ? name + QStringLiteral("_node")
+                                            : name),
                          written, local);
         mObjects.connect(id, above.model);
         if (written == "LimbNode") {
@@ -259,7 +268,8 @@ void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int,
     mModels.push_back(id);
     mMeshModels.push_back(id);
     if (isApart) {
-        mMeshModels.back() = addFbxModel(mObjects, object->second, "Mesh", Eigen::Affine3d::Identity());
+        mMeshModels.back() =
+            addFbxModel(mObjects, freeName(object->second), "Mesh", Eigen::Affine3d::Identity());
         mObjects.connect(mMeshModels.back(), id);
     }
     const Above below{id, mWorld.back(), armature};

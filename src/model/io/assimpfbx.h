@@ -60,6 +60,7 @@ private:
         Eigen::Affine3d world = Eigen::Affine3d::Identity();
         std::optional<Eigen::Affine3d> armature; //!< where the skeleton is that the node belongs to
     };
+    QString freeName(const QString &wanted);
     void addNode(const aiNode &node, const Above &above, const std::map<int, QString> &names);
     void addView(const aiNode &node, std::int64_t model);
     void addCurves(const aiNode &node, std::int64_t layer, const char *property, const char *label,
@@ -72,6 +73,7 @@ private:
     std::vector<std::int64_t> mMeshModels; //!< of nodes, for their meshes
     std::vector<Eigen::Affine3d> mWorld;
     std::vector<Eigen::Affine3d> mArmature;       //!< of bones
+    std::set<QString> mTaken;                     //!< names of models
     std::set<std::string> mBones;                 //!< names of nodes
     std::map<std::string, std::size_t> mNumberOf; //!< of the first node of each name
     std::map<std::string, Eigen::Matrix3d>

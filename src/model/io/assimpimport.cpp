@@ -18,6 +18,7 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string_view>
@@ -107,6 +108,16 @@ std::string contentOf(const std::string &path)
 {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+//! The text of a Collada file, or of the one in an archive; empty for other files.
+std::string colladaTextOf(const std::string &path)
+{
+    if (suffixOf(path) == "dae")
+        return asUtf8(contentOf(path));
+    if (suffixOf(path) == "zae")
+        return asUtf8(beginInArchive(contentOf(path), ".dae", std::numeric_limits<std::size_t>::max()));
+    return {};
 }
 
 //! The objects of a .blend file get their names back.
@@ -220,8 +231,8 @@ void importWithAssimp(const std::string &path, std::FILE *out, void (*finish)(in
         if (imported(importer, path, error)) {
             const std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
             dropAllWithoutNode(*scene);
-            if (suffixOf(path) == "dae")
-                completeColladaNodes(*scene, asUtf8(contentOf(path)));
+            if (const std::string collada = colladaTextOf(path); !collada.empty())
+                completeColladaNodes(*scene, collada);
             if (suffixOf(path) == "glb" || suffixOf(path) == "gltf")
                 mendGltfCameras(*scene);
             completeUnits(*scene, suffixOf(path), path);
