@@ -379,6 +379,35 @@ private Q_SLOTS:
         QVERIFY(studio.answers.errors.isEmpty());
     }
 
+    void watchingTheFile()
+    {
+        GridStudio studio;
+        QVERIFY(!studio.action("file.watch")->isEnabled()); // it is from none
+        const QString model = studio.path("grid.obj");
+        studio.files.exportMesh(model);
+        QVERIFY(studio.rests());
+        studio.files.open(model);
+        QVERIFY(studio.rests());
+        FileWatch &watch = studio.actions.file().watch();
+        QVERIFY(studio.action("file.watch")->isEnabled() && !studio.action("file.watch")->isChecked());
+        studio.trigger("file.watch");
+        QVERIFY(studio.action("file.watch")->isChecked() && watch.choice().watches);
+        // A file that is there already is replaced only if the user wants it.
+        QVERIFY(QFile::copy(model, studio.path("grid_uv.obj")));
+        studio.answers.confirms = false;
+        studio.trigger("file.exportAgain");
+        QCOMPARE(studio.answers.confirmations.size(), 1);
+        QVERIFY(!studio.action("file.exportAgain")->isChecked() && !watch.choice().exports);
+        studio.answers.confirms = true;
+        studio.trigger("file.exportAgain");
+        QVERIFY(studio.action("file.exportAgain")->isChecked() && watch.choice().exports);
+        studio.trigger("file.exportAgain");
+        QVERIFY(!studio.action("file.exportAgain")->isChecked());
+        QCOMPARE(studio.answers.confirmations.size(), 2);
+        studio.trigger("file.sample.torus");
+        QVERIFY(!studio.action("file.watch")->isChecked() && !studio.action("file.watch")->isEnabled());
+    }
+
     void helpOpensTheRecoveryFolder()
     {
         test::StudioParts studio;

@@ -108,6 +108,28 @@ private Q_SLOTS:
         QVERIFY(m.charts == 1 || m.minGutterTexels >= 8 * (1 - 1e-6));
     }
 
+    //! glTF has numbers for UV sets; what we write keeps their names.
+    void aSetOfAGltfFileIsFoundByItsName()
+    {
+        Scene scene = readMesh(file("two.obj", QByteArray(foldedObj))).value();
+        const UvMatrix uv = scene.uvSets.front().uv;
+        scene.uvSets.push_back({QStringLiteral("Lightmap"), 0.5 * uv});
+        for (const char *format : {"glb", "gltf"}) {
+            const QString in = at("two.") + QLatin1String(format),
+                          out = at("packed.") + QLatin1String(format);
+            QVERIFY(writeMesh(scene, in).ok());
+            const test::CliRun r =
+                run("separate", in, out, {QStringLiteral("--uv-set"), QStringLiteral("Lightmap")});
+            QVERIFY2(r.code == 0, qPrintable(r.err));
+            const Scene before = readMesh(in).value(), after = readMesh(out).value();
+            QCOMPARE(after.uvSets.size(), std::size_t(2));
+            QCOMPARE(after.uvSets[0].uv, before.uvSets[0].uv);
+            QCOMPARE(after.uvSets[1].name, QStringLiteral("Lightmap"));
+            QCOMPARE_NE(after.uvSets[1].uv, before.uvSets[1].uv);
+        }
+        QCOMPARE(run("separate", at("two.glb"), at("packed.glb"), {QStringLiteral("--uv-set=Dirt")}).code, 1);
+    }
+
     void sameCommandSameBytes()
     {
         const QString in = file("sheet.obj", test::sheetObj(6));

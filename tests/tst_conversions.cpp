@@ -1,5 +1,7 @@
 // From one format to another: units, axes, colours, pictures, cameras, lights, bones and names stay.
 #include "model/document/materialcolor.h"
+#include "model/io/exportlosses.h"
+#include "model/io/fbxobjects.h"
 #include "model/io/fbxparsing.h"
 #include "model/io/fbxreader.h"
 #include "model/io/fbxsource.h"
@@ -534,6 +536,116 @@ private Q_SLOTS:
         const Scene third = readMesh(at(u"m.glb"_s)).value();
         QCOMPARE(third.uvSets[1].name, u"Lightmap"_s);
         QCOMPARE(third.uvSets[2].name, u"Third one"_s);
+    }
+
+    //! From each of the formats that name them to each other one.
+    void namesOfUvSetsStay()
+    {
+        const std::vector<QString> names{u"Skin & <Bones>"_s, u"\"Light\" möp"_s};
+        Scene scene = readMesh(at(u"a.obj"_s)).value();
+        scene.uvSets = {{names[0], scene.uvSets[0].uv}, {names[1], 0.5 * scene.uvSets[0].uv}};
+        for (const QString &from : {u"dae"_s, u"fbx"_s, u"glb"_s}) {
+            QVERIFY(writeMesh(scene, at(u"from."_s + from)).ok());
+            for (const QString &to : {u"dae"_s, u"fbx"_s, u"glb"_s}) {
+                const Scene source = readMesh(at(u"from."_s + from)).value();
+                QVERIFY(writeMesh(source, at(u"to."_s + to)).ok());
+                const Scene again = readMesh(at(u"to."_s + to)).value();
+                QCOMPARE(again.uvSets.size(), std::size_t(2));
+                for (std::size_t set = 0; set < 2; ++set)
+                    QVERIFY2(again.uvSets[set].name == names[set], qPrintable(from + u" to "_s + to));
+            }
+        }
+    }
+
+    //! Programs look for the armature above the bones, and find none where that is a mesh.
+    void meshesAboveTheirBones()
+    {
+        gltffiles::FileBuilder file = gltffiles::skinned();
+        file.json["nodes"][0]["children"] = {1};
+        file.json["nodes"][0]["translation"] = {0, 5, 0};
+        file.json["scenes"][0]["nodes"] = {0};
+        QVERIFY(saveAtomically(at(u"s.glb"_s), file.glb()).ok());
+        const Scene scene = readMesh(at(u"s.glb"_s)).value();
+        QVERIFY(writeMesh(scene, at(u"s.fbx"_s)).ok());
+        const Result<FbxTree> tree = parseFbxTree(loadFile(at(u"s.fbx"_s), 1 << 20).value(), at(u"s.fbx"_s));
+        QVERIFY(tree.ok());
+        const FbxObjects objects = readFbxObjects(tree.value());
+        const auto above = [&objects](const FbxModel &model) {
+            return model.parent < 0 ? nullptr : &objects.models[static_cast<std::size_t>(model.parent)];
+        };
+        int meshes = 0, bones = 0;
+        for (const FbxModel &model : objects.models) {
+            const bool isMesh = !model.geometries.empty(), isBone = model.name == u"bone"_s;
+            meshes += isMesh;
+            bones += isBone;
+            QVERIFY(!above(model) || above(model)->geometries.empty());
+            if (isMesh || isBone)
+                QCOMPARE(above(model)->name.endsWith(u"_node"_s), true);
+        }
+        QCOMPARE(meshes, 1);
+        QCOMPARE(bones, 1);
+        const Scene again = readMesh(at(u"s.fbx"_s)).value();
+        QCOMPARE(again.objectNames, scene.objectNames);
+        const auto [low, high] = worldBox(scene);
+        const auto [lowAgain, highAgain] = worldBox(again);
+        QVERIFY((low - lowAgain).norm() < 1e-5 && (high - highAgain).norm() < 1e-5);
+    }
+
+    //! Assimp finds what is animated by its name.
+    void nodesOfOneName()
+    {
+        gltffiles::FileBuilder file = gltffiles::grid();
+        file.json["nodes"][0]["name"] = "arm";
+        file.json["nodes"].push_back({{"name", "arm"}, {"mesh", 0}, {"translation", {70, 0, 0}}});
+        file.json["scenes"][0]["nodes"] = {0, 1};
+        const int times = file.add(std::vector<float>{0, 1}, "SCALAR", 5126, 1);
+        const int values = file.add(std::vector<float>{70, 0, 0, 80, 0, 0}, "VEC3", 5126, 3);
+        const Json channel{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}};
+        const Json sampler{{"input", times}, {"output", values}};
+        file.json["animations"] = {
+            {{"channels", Json::array({channel})}, {"samplers", Json::array({sampler})}}};
+        for (const QByteArray &bytes : {file.glb(), file.text()}) {
+            const QString from = bytes.startsWith('{') ? u"arms.gltf"_s : u"arms.glb"_s;
+            QVERIFY(saveAtomically(at(from), bytes).ok());
+            QVERIFY(writeMesh(readMesh(at(from)).value(), at(u"arms.fbx"_s)).ok());
+            QVERIFY(writeMesh(readMesh(at(u"arms.fbx"_s)).value(), at(u"again.glb"_s)).ok());
+            const QJsonObject json = jsonOf(at(u"again.glb"_s));
+            const int moved = json[u"animations"_s][0][u"channels"_s][0][u"target"_s][u"node"_s].toInt(-1);
+            QVERIFY(moved >= 0);
+            const QJsonValue node = json[u"nodes"_s].toArray().at(moved);
+            const QJsonValue x = node[u"translation"_s].isArray() ? node[u"translation"_s].toArray().at(0)
+                                                                  : node[u"matrix"_s].toArray().at(12);
+            QVERIFY(std::abs(x.toDouble() - 70) < 1e-3);
+        }
+    }
+
+    //! What is kept is not said to be lost.
+    void animationsThatAreLost()
+    {
+        const auto animated = [](const char *path) {
+            gltffiles::FileBuilder file = gltffiles::morphed();
+            const int times = file.add(std::vector<float>{0, 1}, "SCALAR", 5126, 1);
+            const bool moves = std::string(path) == "translation";
+            const int values = moves ? file.add(std::vector<float>{0, 0, 0, 1, 0, 0}, "VEC3", 5126, 3)
+                                     : file.add(std::vector<float>{0, 0, 1, 1}, "SCALAR", 5126, 1);
+            const Json channel{{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}};
+            const Json sampler{{"input", times}, {"output", values}};
+            file.json["animations"] = {
+                {{"channels", Json::array({channel})}, {"samplers", Json::array({sampler})}}};
+            return gltffiles::parsed(file.glb());
+        };
+        const auto losses = [](const Scene &scene, const char *format) {
+            return exportLosses(scene, QString::fromLatin1(format)).join(u' ');
+        };
+        const Scene moved = animated("translation"), morphed = animated("weights");
+        QVERIFY(!losses(moved, "fbx").contains(u"animations"_s));
+        QVERIFY(losses(moved, "dae").contains(u"animations are lost"_s));
+        QVERIFY(losses(morphed, "fbx").contains(u"objects and bones only"_s));
+        // Of an FBX file: what we have written moves objects only.
+        QVERIFY(writeMesh(moved, at(u"m.fbx"_s)).ok());
+        const Scene fbx = readMesh(at(u"m.fbx"_s)).value();
+        QVERIFY(fbxSourceOf(fbx)->contents.animations);
+        QVERIFY(!losses(fbx, "glb").contains(u"animations"_s));
     }
 
     //! Pictures carried over to a new UV set: the file has them, and its material names the set.

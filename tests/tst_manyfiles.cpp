@@ -188,8 +188,11 @@ private Q_SLOTS:
         QCOMPARE(outputs({place.in(u"001.obj"_s)}), QStringList{u"001.glb"_s});
         place.add(u"001.ply"_s, "ply");
         QVERIFY(outputs({place.in()}).front().startsWith(u"the output 001.glb would be that of"_s));
-        choice.command = u"bake"_s;
         choice.format.clear();
+        place.add(u"a/part.LWO"_s, "lwo");
+        place.add(u"a/scan.stl"_s, "stl");
+        QCOMPARE(outputs({place.in(u"a/*"_s)}), (QStringList{u"part.fbx"_s, u"scan.obj"_s}));
+        choice.command = u"bake"_s;
         QCOMPARE(outputs({place.in(u"a/**/*0.obj"_s)}), QStringList{u"deep/000"_s});
     }
 

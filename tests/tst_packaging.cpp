@@ -1,6 +1,7 @@
 // What packages give to desktops and shells: completions, manual pages, menu entry, file type, thumbnails.
 #include "cli/clicompletion.h"
 #include "cli/clitable.h"
+#include "model/io/meshformats.h"
 #include "model/io/projectfile.h"
 #include "model/samples/samples.h"
 #include "support/cliruns.h"
@@ -10,6 +11,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QRegularExpression>
+#include <QSet>
 #include <QStandardPaths>
 #include <QTest>
 
@@ -246,13 +248,28 @@ private Q_SLOTS:
     void allNameTheSameType()
     {
         const QString type = QString::fromLatin1(sessionType);
-        QCOMPARE(entry("org.autocuts.Autocuts.desktop", u"MimeType"_s), type + u';');
+        QVERIFY(entry("org.autocuts.Autocuts.desktop", u"MimeType"_s).startsWith(type + u';'));
         QCOMPARE(entry("autocuts.thumbnailer", u"MimeType"_s), type + u';');
         const QByteArray types = test::readBytes(packaging("autocuts.xml"));
         QVERIFY(types.contains(QByteArray("<mime-type type=\"") + sessionType + '"'));
         QVERIFY(types.contains(QByteArray("<glob pattern=\"*.") + projectSuffix + "\"/>"));
         QVERIFY(test::readBytes(QStringLiteral(AUTOCUTS_METAINFO))
                     .contains(QByteArray("<mediatype>") + sessionType + "</mediatype>"));
+    }
+
+    //! Models can be opened from the file manager. The common list of types has those of other names.
+    void allModelsHaveAType()
+    {
+        const QString types = QString::fromUtf8(test::readBytes(packaging("autocuts.xml")));
+        const QStringList opened = entry("org.autocuts.Autocuts.desktop", u"MimeType"_s).split(u';');
+        for (const MeshFormat &format : meshFormats()) {
+            QVERIFY2(opened.contains(format.mimeType), qPrintable(format.suffix));
+            const bool isOurs = types.contains(u"<glob pattern=\"*."_s + format.suffix + u'"');
+            QCOMPARE(isOurs, types.contains(u"type=\""_s + format.mimeType + u'"'));
+            QVERIFY2(isOurs || !format.mimeType.startsWith(u"model/x-"_s), qPrintable(format.suffix));
+        }
+        QCOMPARE(opened.count(QString()), 1); // behind the last semicolon
+        QCOMPARE(QSet<QString>(opened.begin(), opened.end()).size(), opened.size());
     }
 
     //! The desktop calls the thumbnailer with an output without a suffix.

@@ -86,6 +86,29 @@ private Q_SLOTS:
         QTRY_COMPARE(notice->width(), studio.window.centralWidget()->width());
     }
 
+    void sessionsRememberTheWatchedFile()
+    {
+        StudioSession studio;
+        const QString model = studio.folder.filePath(QStringLiteral("cube.obj"));
+        const QString session = studio.folder.filePath(QStringLiteral("cube.acproj"));
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.context.files.exportMesh(model);
+        QVERIFY(studio.jobsRest());
+        studio.answers->filesToOpen = {model, session};
+        studio.action("file.open")->trigger();
+        QVERIFY(studio.jobsRest());
+        studio.action("file.watch")->trigger();
+        studio.action("file.exportAgain")->trigger();
+        studio.answers->filesToSave = {session};
+        studio.action("file.save")->trigger();
+        studio.context.files.waitForSaves();
+        studio.action("file.sample.torus")->trigger();
+        QVERIFY(!studio.action("file.watch")->isChecked() && !studio.action("file.exportAgain")->isChecked());
+        studio.action("file.open")->trigger();
+        QVERIFY(studio.jobsRest());
+        QVERIFY(studio.action("file.watch")->isChecked() && studio.action("file.exportAgain")->isChecked());
+    }
+
     void theViewsGetTheWidth_data()
     {
         QTest::addColumn<QSize>("screen");

@@ -1815,6 +1815,26 @@
         <source>Give each object that shares a mesh with others in the file of the model a mesh and a map of its own</source>
         <translation>Gibt jedem Objekt, das sich in der Datei des Modells ein Mesh mit anderen teilt, ein eigenes Mesh und eine eigene Abwicklung</translation>
     </message>
+    <message>
+        <source>The model is from no file: re-link it to one</source>
+        <translation>Das Modell ist aus keiner Datei: mit einer verknüpfen</translation>
+    </message>
+    <message>
+        <source>&amp;Watch the file</source>
+        <translation>&amp;Datei überwachen</translation>
+    </message>
+    <message>
+        <source>Re-link the model whenever another program saves its file. The session remembers it</source>
+        <translation>Das Modell neu verknüpfen, sobald ein anderes Programm seine Datei speichert. Die Sitzung merkt es sich</translation>
+    </message>
+    <message>
+        <source>Export a&amp;gain after each re-link</source>
+        <translation>Nach &amp;jeder Verknüpfung exportieren</translation>
+    </message>
+    <message>
+        <source>Write the model with its UV map beside its file, as NAME_uv, after each re-link. The session remembers it</source>
+        <translation>Das Modell mit seiner UV-Map nach jeder Verknüpfung neben seine Datei schreiben, als NAME_uv. Die Sitzung merkt es sich</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -1896,10 +1916,6 @@
         <translation>die Pose, in der das Modell ist, wird seine Ruhepose</translation>
     </message>
     <message>
-        <source>the names of UV sets are lost: other programs see numbers</source>
-        <translation>die Namen der UV-Sätze gehen verloren: andere Programme sehen Nummern</translation>
-    </message>
-    <message>
         <source>UV sets after the eighth are lost</source>
         <translation>UV-Sätze nach dem achten gehen verloren</translation>
     </message>
@@ -1942,10 +1958,6 @@
     <message>
         <source>meshes that several nodes share become one copy per node, with its own UVs</source>
         <translation>Meshes, die sich mehrere Knoten teilen, werden zu einer Kopie je Knoten mit eigenen UVs</translation>
-    </message>
-    <message>
-        <source>animations are left out where the format cannot hold them</source>
-        <translation>Animationen werden weggelassen, wo das Format sie nicht aufnehmen kann</translation>
     </message>
     <message>
         <source>animations are lost</source>
@@ -2006,6 +2018,10 @@
     <message>
         <source>objects that share a mesh have one map in the file: that of the first one whose UVs were changed is written, unless the meshes are made unique</source>
         <translation>Objekte, die sich ein Mesh teilen, haben in der Datei eine gemeinsame Abwicklung: geschrieben wird die des ersten, dessen UVs geändert wurden, außer wenn die Meshes eigenständig gemacht werden</translation>
+    </message>
+    <message>
+        <source>animations are kept of objects and bones only, not of shape keys, materials, lights and cameras</source>
+        <translation>Animationen bleiben nur von Objekten und Knochen, nicht von Formschlüsseln, Materialien, Lichtern und Kameras</translation>
     </message>
 </context>
 <context>
@@ -4856,6 +4872,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>&amp;Replace</source>
         <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace %1 after each re-link?</source>
+        <translation>%1 nach jeder Verknüpfung ersetzen?</translation>
+    </message>
+    <message>
+        <source>Its content is lost.</source>
+        <translation>Der Inhalt geht verloren.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 """The kinds of cases: each makes files from a random generator, runs the program and returns a Finding or None."""
 import json
+import re
 import shutil
 import signal
 import subprocess
@@ -15,7 +16,9 @@ import oddmeshes
 import sessions
 from bakes import pick
 
-FORMATS = ["obj", "ply", "stl", "off", "gltf", "glb", "fbx", "dae", "3ds", "blend", "acproj"]
+# The list that the program has.
+SOURCE = Path(__file__).resolve().parents[2] / "src/model/io/meshformats.cpp"
+FORMATS = re.findall(r'\{u"(\w+)"_s, u"[^"]+/', SOURCE.read_text()) + ["acproj"]
 # CPU seconds in which a job ends after an interrupt, besides those for the files.
 INTERRUPT_SECONDS = 0.3
 OUTPUTS = ["obj", "obj", "acproj", "glb", "ply", "dae", "fbx"]

@@ -73,7 +73,8 @@ std::vector<CliOption> batchOptions()
              return std::nullopt;
          }},
         suffixOption(group, u"--format"_s, fieldOf(&ManyChoice::format),
-                     u"format of the outputs, for example glb; that of each input when not given"_s),
+                     u"format of the outputs, for example glb; when not given, that of each input, or obj or "
+                     "fbx where that cannot be written"_s),
         {group,
          {u"--part"_s},
          u"K/N"_s,

@@ -104,6 +104,15 @@ public:
     bool named = false; //!< a file was named since this was last set
 
 private:
+    //! In the format of the input where that can be written.
+    static QString writtenOf(const QString &below)
+    {
+        const QFileInfo name(below);
+        const QString own = name.suffix().toLower(), written = formatToWrite(own);
+        const bool stays = written == own || !readableFormats().contains(own);
+        return QDir::cleanPath(stays ? below : name.path() + u'/' + name.completeBaseName() + u'.' + written);
+    }
+
     QString outputOf(const QString &below) const
     {
         const QFileInfo name(below);
@@ -114,11 +123,13 @@ private:
                         [](const QString &option) { return option.startsWith(u"--textures"); });
         if (makesFolder)
             return stem;
-        if (mChoice.format.isEmpty())
-            return mChoice.command == u"lightbake"   ? stem + u".exr"_s
-                   : mChoice.command == u"thumbnail" ? stem + u".png"_s
-                                                     : QDir::cleanPath(below);
-        return stem + u'.' + mChoice.format;
+        if (!mChoice.format.isEmpty())
+            return stem + u'.' + mChoice.format;
+        if (mChoice.command == u"lightbake")
+            return stem + u".exr"_s;
+        if (mChoice.command == u"thumbnail")
+            return stem + u".png"_s;
+        return writtenOf(below);
     }
 
     const ManyChoice &mChoice;

@@ -116,6 +116,44 @@ private:
     std::set<std::string> mTaken;
 };
 
+//! The names of UV sets in their order: those of the first polygons that name one.
+std::map<std::size_t, std::string> uvNames(const XmlElement &root)
+{
+    std::map<std::string, std::string> sources; // name by id
+    eachElement(root, [&](const XmlElement &element) {
+        const std::string id = resolved(element.attribute("id")), name = resolved(element.attribute("name"));
+        if (element.name == "source" && !name.empty() && name != id)
+            sources[id] = name;
+    });
+    std::map<std::size_t, std::string> names;
+    eachElement(root, [&](const XmlElement &polygons) {
+        std::map<int, std::string> sets; // id of the source by number
+        for (const XmlElement &input : polygons.children) {
+            const std::string_view number = input.attribute("set");
+            int set = 0;
+            std::from_chars(number.data(), number.data() + number.size(), set);
+            if (input.name == "input" && input.attribute("semantic") == "TEXCOORD")
+                sets.try_emplace(set, resolved(input.attribute("source")));
+        }
+        std::size_t rank = 0;
+        for (const auto &[set, source] : sets) {
+            const auto name = source.starts_with('#') ? sources.find(source.substr(1)) : sources.end();
+            if (name != sources.end())
+                names.try_emplace(rank, name->second);
+            ++rank;
+        }
+    });
+    return names;
+}
+
+void nameUvSets(aiScene &scene, const XmlElement &root)
+{
+    for (const auto &[set, name] : uvNames(root)) {
+        for (unsigned m = 0; m < scene.mNumMeshes && set < AI_MAX_NUMBER_OF_TEXTURECOORDS; ++m)
+            scene.mMeshes[m]->SetTextureCoordsName(static_cast<unsigned>(set), aiString(name));
+    }
+}
+
 } // namespace
 
 void completeColladaNodes(aiScene &scene, std::string_view text)
@@ -149,6 +187,7 @@ void completeColladaNodes(aiScene &scene, std::string_view text)
         }
     });
     NodeNames(scene, names);
+    nameUvSets(scene, *root);
 }
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// What Assimp leaves out of the nodes of a Collada file: their names and the views of cameras.
+// What Assimp leaves out of a Collada file: the names of nodes and UV sets, and the views of cameras.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@ struct aiScene;
 namespace autocuts {
 
 //! Gives nodes, and what refers to them, the names that people see instead of those that only the file uses,
-//! and cameras their fields of view. \param text of the file; one that is not well formed changes nothing
+//! UV sets those of their sources, and cameras their fields of view. \param text of the file; one that is not well formed changes nothing
 void completeColladaNodes(aiScene &scene, std::string_view text);
 
 } // namespace autocuts

@@ -181,6 +181,14 @@ std::int64_t addFbxModel(FbxNewObjects &objects, const QString &name, const QByt
                         fbxLeaf("Culling", QByteArray("CullingOff"))});
 }
 
+//! True when one of these bones is below a node.
+bool isAboveBone(const aiNode &node, const std::set<std::string> &bones)
+{
+    return std::any_of(node.mChildren, node.mChildren + node.mNumChildren, [&bones](const aiNode *child) {
+        return bones.contains(child->mName.C_Str()) || isAboveBone(*child, bones);
+    });
+}
+
 //! Writes the attribute of a camera, a light, a bone or a node without anything.
 void FbxRig::addView(const aiNode &node, std::int64_t model)
 {
@@ -204,6 +212,15 @@ FbxRig::FbxRig(FbxNewObjects &objects, const AssimpSource &source, bool fromGltf
     : mObjects(objects), mSource(source), mFromGltf(fromGltf), mBones(boneNames(*source.scene))
 {}
 
+//! A name that no other model has: programs find what is animated by it.
+QString FbxRig::freeName(const QString &wanted)
+{
+    QString name = wanted;
+    for (int number = 2; !mTaken.insert(name).second; ++number)
+        name = QStringLiteral("%1_%2").arg(wanted).arg(number);
+    return name;
+}
+
 void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int, QString> &names)
 {
     const aiScene &scene = *mSource.scene;
@@ -215,7 +232,10 @@ void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int,
     const bool isCamera = objectOf(scene.mCameras, scene.mNumCameras, node.mName);
     const bool isLight = objectOf(scene.mLights, scene.mNumLights, node.mName);
     const auto object = names.find(number);
-    const QByteArray kind = object != names.end() ? "Mesh" : isCamera ? "Camera" : isLight ? "Light" : "Null";
+    // Programs find no armature above bones where there is a mesh: it gets a model below that of its node.
+    const bool isApart = object != names.end() && isAboveBone(node, mBones);
+    const bool isMesh = object != names.end() && !isApart;
+    const QByteArray kind = isMesh ? "Mesh" : isCamera ? "Camera" : isLight ? "Light" : "Null";
     // Programs take what is above the first bone for the armature, and all below it for bones.
     const bool isBone = kind == "Null" && (above.armature || mBones.contains(node.mName.C_Str()));
     const std::optional<Eigen::Affine3d> armature = above.armature ? above.armature
@@ -230,8 +250,11 @@ void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int,
             mTurns[node.mName.C_Str()] = turnOf(isCamera);
             local.linear() = local.linear() * turnOf(isCamera);
         }
+        const QString name = QString::fromUtf8(node.mName.C_Str());
         id = addFbxModel(mObjects,
-                         object != names.end() ? object->second : QString::fromUtf8(node.mName.C_Str()),
+                         freeName(isMesh    ? object->second
+                                  : isApart ? name + QStringLiteral("_node")
+                                            : name),
                          written, local);
         mObjects.connect(id, above.model);
         if (written == "LimbNode") {
@@ -243,6 +266,12 @@ void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int,
         addView(node, id);
     }
     mModels.push_back(id);
+    mMeshModels.push_back(id);
+    if (isApart) {
+        mMeshModels.back() =
+            addFbxModel(mObjects, freeName(object->second), "Mesh", Eigen::Affine3d::Identity());
+        mObjects.connect(mMeshModels.back(), id);
+    }
     const Above below{id, mWorld.back(), armature};
     for (unsigned c = 0; c < node.mNumChildren; ++c)
         addNode(*node.mChildren[c], below, names);

@@ -46,8 +46,8 @@ public:
 
     //! Writes all nodes. \param name of those with an object, by the node's number in depth-first order
     void addNodes(const std::map<int, QString> &names);
-    //! The model of a node, by its number in depth-first order.
-    std::int64_t model(int node) const { return mModels[static_cast<std::size_t>(node)]; }
+    //! The model for the meshes of a node, by its number in depth-first order.
+    std::int64_t model(int node) const { return mMeshModels[static_cast<std::size_t>(node)]; }
     //! Binds a geometry to the bones of its meshes. \param points of the geometry
     void addSkin(std::int64_t geometry, int node, const std::vector<FbxSkinPoint> &points);
     void addAnimations();
@@ -60,6 +60,7 @@ private:
         Eigen::Affine3d world = Eigen::Affine3d::Identity();
         std::optional<Eigen::Affine3d> armature; //!< where the skeleton is that the node belongs to
     };
+    QString freeName(const QString &wanted);
     void addNode(const aiNode &node, const Above &above, const std::map<int, QString> &names);
     void addView(const aiNode &node, std::int64_t model);
     void addCurves(const aiNode &node, std::int64_t layer, const char *property, const char *label,
@@ -68,9 +69,11 @@ private:
     FbxNewObjects &mObjects;
     const AssimpSource &mSource;
     bool mFromGltf;
-    std::vector<std::int64_t> mModels;
+    std::vector<std::int64_t> mModels;     //!< of nodes
+    std::vector<std::int64_t> mMeshModels; //!< of nodes, for their meshes
     std::vector<Eigen::Affine3d> mWorld;
     std::vector<Eigen::Affine3d> mArmature;       //!< of bones
+    std::set<QString> mTaken;                     //!< names of models
     std::set<std::string> mBones;                 //!< names of nodes
     std::map<std::string, std::size_t> mNumberOf; //!< of the first node of each name
     std::map<std::string, Eigen::Matrix3d>

@@ -2,19 +2,23 @@
 
 #include "model/io/assimpcollada.h"
 #include "model/io/assimpstream.h"
+#include "model/io/assimpunits.h"
 #include "model/io/blendnames.h"
 #include "model/io/collada/xmlspans.h"
+#include "model/io/unzipping.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string_view>
@@ -84,10 +88,36 @@ std::string withoutLeadingSpace(const std::string &xml)
     }
 }
 
+//! Assimp takes a comma between digits for a decimal point.
+std::string withSpaceBehindCommas(const std::string &text)
+{
+    std::string result;
+    result.reserve(text.size() + text.size() / 8);
+    const auto isDigit = [&text](std::size_t i) {
+        return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        result += text[i];
+        if (text[i] == ',' && isDigit(i - 1) && isDigit(i + 1))
+            result += ' ';
+    }
+    return result;
+}
+
 std::string contentOf(const std::string &path)
 {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+//! The text of a Collada file, or of the one in an archive; empty for other files.
+std::string colladaTextOf(const std::string &path)
+{
+    if (suffixOf(path) == "dae")
+        return asUtf8(contentOf(path));
+    if (suffixOf(path) == "zae")
+        return asUtf8(beginInArchive(contentOf(path), ".dae", std::numeric_limits<std::size_t>::max()));
+    return {};
 }
 
 //! The objects of a .blend file get their names back.
@@ -129,31 +159,52 @@ const aiScene *imported(Assimp::Importer &importer, const std::string &path, std
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     // Without this, Assimp makes up a mesh for files that have none.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    const bool isBlend = suffixOf(path) == "blend";
-    const aiScene *scene = isBlend ? importedBlend(importer, path) : importer.ReadFile(path, 0);
+    const std::string suffix = suffixOf(path);
+    const auto readText = [&importer](const std::string &xml, const char *format) {
+        return importer.ReadFileFromMemory(xml.data(), xml.size(), 0, format);
+    };
+    const aiScene *scene = nullptr;
+    if (suffix == "blend")
+        scene = importedBlend(importer, path);
+    else if (suffix == "x3d" || suffix == "xgl")
+        scene = readText(withSpaceBehindCommas(asUtf8(contentOf(path))), suffix.c_str());
+    else if (suffix == "zgl")
+        scene = readText(withSpaceBehindCommas(unzipped(contentOf(path))), "xgl");
+    else
+        scene = importer.ReadFile(path, 0);
     if (!scene)
         error = importer.GetErrorString();
-    if (!scene && suffixOf(path) == "dae") {
-        // What Assimp cannot read by itself: UTF-16, and white space before numbers.
-        const std::string xml = withoutLeadingSpace(asUtf8(contentOf(path)));
-        scene = importer.ReadFileFromMemory(xml.data(), xml.size(), 0, "dae");
-    }
+    // What Assimp cannot read by itself: UTF-16, and white space before numbers.
+    if (!scene && suffix == "dae")
+        scene = readText(withoutLeadingSpace(asUtf8(contentOf(path))), "dae");
     return scene && scene->mRootNode ? scene : nullptr;
 }
 
-//! Takes out the channels whose node is not in the scene: Assimp's exporters crash on them. An FBX with
-//! pivots that are animated has such channels.
-void dropChannelsWithoutNode(aiScene &scene)
+//! Takes out what belongs to a node that is not in the scene.
+template <typename T, typename Name>
+void dropWithoutNode(const aiScene &scene, T **list, unsigned &count, const Name &nodeName)
 {
+    T **end = list + count;
+    T **kept = std::stable_partition(
+        list, end, [&](const T *entry) { return scene.mRootNode->FindNode(nodeName(*entry)) != nullptr; });
+    std::for_each(kept, end, std::default_delete<T>());
+    count = static_cast<unsigned>(kept - list);
+}
+
+//! Assimp's exporters crash on what belongs to no node: channels of an FBX with pivots that are animated,
+//! bones of X files, cameras and lights of OpenGEX files.
+void dropAllWithoutNode(aiScene &scene)
+{
+    const auto own = [](const auto &entry) { return entry.mName; };
     for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
         aiAnimation &animation = *scene.mAnimations[a];
-        aiNodeAnim **end = animation.mChannels + animation.mNumChannels;
-        aiNodeAnim **kept = std::stable_partition(animation.mChannels, end, [&](const aiNodeAnim *channel) {
-            return scene.mRootNode->FindNode(channel->mNodeName) != nullptr;
-        });
-        std::for_each(kept, end, std::default_delete<aiNodeAnim>());
-        animation.mNumChannels = static_cast<unsigned>(kept - animation.mChannels);
+        dropWithoutNode(scene, animation.mChannels, animation.mNumChannels,
+                        [](const aiNodeAnim &channel) { return channel.mNodeName; });
     }
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+        dropWithoutNode(scene, scene.mMeshes[m]->mBones, scene.mMeshes[m]->mNumBones, own);
+    dropWithoutNode(scene, scene.mCameras, scene.mNumCameras, own);
+    dropWithoutNode(scene, scene.mLights, scene.mNumLights, own);
 }
 
 //! Assimp gives the cameras of glTF files the place of their node once more, and a width that is not that of
@@ -179,11 +230,12 @@ void importWithAssimp(const std::string &path, std::FILE *out, void (*finish)(in
     try {
         if (imported(importer, path, error)) {
             const std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
-            dropChannelsWithoutNode(*scene);
-            if (suffixOf(path) == "dae")
-                completeColladaNodes(*scene, asUtf8(contentOf(path)));
+            dropAllWithoutNode(*scene);
+            if (const std::string collada = colladaTextOf(path); !collada.empty())
+                completeColladaNodes(*scene, collada);
             if (suffixOf(path) == "glb" || suffixOf(path) == "gltf")
                 mendGltfCameras(*scene);
+            completeUnits(*scene, suffixOf(path), path);
             writeAssimpScene(*scene, out);
             finish(readerexit::done);
         }

@@ -39,8 +39,11 @@ Error unreadable(const QString &path, const QString &reason)
         return {u"the file cannot be read: %1"_s.arg(why), path, 0,
                 u"Open it in Blender and export it as glb or OBJ"_s};
     }
-    return {u"the file cannot be read: %1"_s.arg(reason.simplified()), path, 0,
-            u"It may be damaged or of a newer version: export the model again, or as OBJ"_s};
+    QString why = reason.simplified();
+    while (why.endsWith(u'.'))
+        why.chop(1);
+    return {u"the file cannot be read: %1"_s.arg(why.isEmpty() ? u"its contents are damaged"_s : why), path,
+            0, u"It may be damaged or of a newer version: export the model again, or as OBJ"_s};
 }
 
 Error noReader(const QString &path)

@@ -6,6 +6,7 @@
 #include "model/io/assimpprocess.h"
 #include "model/io/assimpscene.h"
 #include "model/io/assimptextures.h"
+#include "model/io/meshformats.h"
 #include "model/io/meshlimits.h"
 #include "model/io/modelunits.h"
 #include "model/plain/hardedges.h"
@@ -13,6 +14,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QSet>
 #include <QUrl>
 
 #include <Eigen/Dense>
@@ -289,14 +291,34 @@ std::optional<Error> checkFile(const QString &path)
     return {};
 }
 
-//! The size of a file; of a glTF file with its buffers, which may be files of their own.
+//! The size of the objects that a LightWave scene names.
+qint64 sizeOfObjects(const QString &scene, const QByteArray &text)
+{
+    qint64 size = 0;
+    QSet<QByteArray> known;
+    for (const QByteArray &line : text.split('\n')) {
+        const QByteArray name = line.trimmed().split(' ').last();
+        if (!line.trimmed().startsWith("LoadObject") || known.contains(name))
+            continue;
+        known << name;
+        size += QFileInfo(QFileInfo(scene).dir(), QFile::decodeName(name)).size();
+    }
+    return size;
+}
+
+//! The size of a file with the files that it is made of: the buffers of a glTF file, the objects of a
+//! LightWave scene.
 qint64 sizeToRead(const QString &path)
 {
     QFile file(path);
     qint64 size = file.size();
-    if (!path.endsWith(QLatin1String(".gltf"), Qt::CaseInsensitive) || !file.open(QIODevice::ReadOnly))
+    const bool isScene = path.endsWith(QLatin1String(".lws"), Qt::CaseInsensitive);
+    const bool hasParts = isScene || path.endsWith(QLatin1String(".gltf"), Qt::CaseInsensitive);
+    if (!hasParts || !file.open(QIODevice::ReadOnly))
         return size;
     const QByteArray text = file.readAll();
+    if (isScene)
+        return size + sizeOfObjects(path, text);
     for (qsizetype at = text.indexOf("\"uri\""); at >= 0; at = text.indexOf("\"uri\"", at + 5)) {
         const qsizetype begin = text.indexOf('"', at + 5) + 1;
         const qsizetype end = begin > 0 ? text.indexOf('"', begin) : -1;
@@ -325,8 +347,7 @@ Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop,
     Eigen::Matrix4d place = placement;
     if (suffix == QLatin1String("blend"))
         place = unitChange({1, true}, {});
-    // There Assimp makes up the root for the axes and the unit of the file.
-    if (suffix == QLatin1String("dae") || suffix == QLatin1String("3ds")) {
+    if (hasMadeUpRoot(suffix)) {
         place = place * toEigen(read.value()->mRootNode->mTransformation);
         read.value()->mRootNode->mTransformation = {};
     }

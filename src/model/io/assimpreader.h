@@ -1,4 +1,4 @@
-// Reads ply, stl, off, gltf, glb, dae, 3ds and blend files through Assimp, and for conversions fbx.
+// Reads files through Assimp: of the formats without a reader of our own and, for conversions, fbx and glTF.
 #pragma once
 
 #include "model/document/result.h"

@@ -353,7 +353,11 @@ SourceContents contentsOf(const AssimpSource &source)
     SourceContents contents;
     contents.bones = hasBones(from);
     contents.shapeKeys = hasMorphTargets(from);
-    contents.animations = from.mNumAnimations > 0;
+    for (unsigned a = 0; a < from.mNumAnimations; ++a) {
+        const aiAnimation &animation = *from.mAnimations[a];
+        contents.animations = true;
+        contents.otherAnimations |= animation.mNumMeshChannels + animation.mNumMorphMeshChannels > 0;
+    }
     contents.lightsOrCameras = from.mNumLights > 0 || from.mNumCameras > 0;
     contents.embeddedTextures = from.mNumTextures > 0;
     contents.hierarchy = from.mRootNode->mNumChildren > 0;

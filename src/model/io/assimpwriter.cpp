@@ -51,6 +51,21 @@ QByteArray gltfBytes(const Scene &scene, const ExportScene &exported, const aiEx
     return jsonText(document.json, "{\n  \n");
 }
 
+//! What Assimp wrote as Collada, with the names of the UV sets, which it leaves out.
+QByteArray colladaBytes(const Scene &scene, const aiExportDataBlob &blob)
+{
+    QByteArray text = bytesOf(blob).toByteArray();
+    for (std::size_t set = 0; set < scene.uvSets.size() && set < maxAssimpUvSets; ++set) {
+        const QByteArray key = "-tex" + QByteArray::number(static_cast<qulonglong>(set)) + "\" name=\"";
+        const QByteArray name = scene.uvSets[set].name.toHtmlEscaped().toUtf8();
+        for (qsizetype at = text.indexOf(key); at >= 0; at = text.indexOf(key, at)) {
+            at += key.size();
+            text.replace(at, text.indexOf('"', at) - at, name);
+        }
+    }
+    return text;
+}
+
 //! Exports to a blob that belongs to the exporter; nullptr on failure.
 const aiExportDataBlob *exportBlob(Assimp::Exporter &exporter, const ExportScene &exported,
                                    const QString &suffix)
@@ -95,7 +110,9 @@ Result<Done> writeWithAssimp(const Scene &scene, const QString &path)
         FileSet files;
         if (Result<Done> added = looks.addFiles(files); !added)
             return added;
-        if (Result<Done> added = files.add(path, bytesOf(*blob)); !added)
+        const QByteArray bytes =
+            suffix == QLatin1String("dae") ? colladaBytes(scene, *blob) : bytesOf(*blob).toByteArray();
+        if (Result<Done> added = files.add(path, bytes); !added)
             return added;
         return files.putInPlace();
     } catch (const std::exception &e) {

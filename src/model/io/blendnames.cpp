@@ -1,6 +1,6 @@
 #include "model/io/blendnames.h"
 
-#include <zlib.h>
+#include "model/io/unzipping.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -14,28 +14,6 @@ constexpr std::string_view gzipMark = "\x1f\x8b";
 constexpr std::size_t headSize = 12; //!< of a file
 //! Behind the "OB" of a name there is room for this many characters, in files of all versions.
 constexpr std::size_t nameRoom = 21;
-
-//! Empty when the stream is damaged.
-std::string unzipped(std::string_view packed)
-{
-    constexpr int gzipWindow = 15 + 16;
-    z_stream stream{};
-    if (inflateInit2(&stream, gzipWindow) != Z_OK)
-        return {};
-    std::string bytes;
-    std::string part(std::size_t(1) << 20, '\0');
-    stream.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(packed.data()));
-    stream.avail_in = static_cast<uInt>(packed.size());
-    int outcome = Z_OK;
-    while (outcome == Z_OK) {
-        stream.next_out = reinterpret_cast<Bytef *>(part.data());
-        stream.avail_out = static_cast<uInt>(part.size());
-        outcome = inflate(&stream, Z_NO_FLUSH);
-        bytes.append(part, 0, part.size() - stream.avail_out);
-    }
-    inflateEnd(&stream);
-    return outcome == Z_STREAM_END ? bytes : std::string();
-}
 
 //! A whole number of four bytes.
 std::size_t numberAt(std::string_view bytes, std::size_t at, bool littleEndian)

@@ -78,7 +78,6 @@ void addPlyLosses(QStringList &losses, const Scene &scene)
 //! What the format loses of the data besides the geometry.
 QStringList contentLosses(const SourceContents &contents, const QString &format)
 {
-    const ExportOptions options = exportOptions(format);
     const bool bareMesh = format == QLatin1String("obj") || format == QLatin1String("ply");
     QStringList losses;
     if (contents.shapeKeys)
@@ -94,10 +93,12 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
     }
     if (contents.instances)
         losses << LossTexts::tr("meshes that several nodes share become one copy per node, with its own UVs");
-    if (contents.animations)
-        losses << (options.animations
-                       ? LossTexts::tr("animations are left out where the format cannot hold them")
-                       : LossTexts::tr("animations are lost"));
+    if (contents.animations && !exportOptions(format).animations)
+        losses << LossTexts::tr("animations are lost");
+    else if (contents.otherAnimations)
+        losses << LossTexts::tr(
+            "animations are kept of objects and bones only, not of shape keys, materials, "
+            "lights and cameras");
     if (contents.bones && format == QLatin1String("dae"))
         losses << LossTexts::tr("the pose that the model is in becomes its rest pose");
     return losses;
@@ -191,8 +192,6 @@ QStringList exportLosses(const Scene &scene, const QString &format)
         addPlyLosses(losses, scene);
     if (isGltfFormat(format) && scene.mesh->report.polygons > 0)
         losses << LossTexts::tr("glTF holds triangles only: polygons are split");
-    if (format == QLatin1String("dae") && scene.uvSets.size() > 1)
-        losses << LossTexts::tr("the names of UV sets are lost: other programs see numbers");
     if (scene.uvSets.size() > maxAssimpUvSets)
         losses << LossTexts::tr("UV sets after the eighth are lost");
     if (hasPartialUv(scene))

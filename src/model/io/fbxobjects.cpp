@@ -5,6 +5,7 @@
 #include "model/io/fbxtextures.h"
 
 #include <map>
+#include <set>
 
 namespace autocuts {
 
@@ -53,6 +54,7 @@ private:
     FbxTextures mTextures;
     std::vector<QByteArray> mTextureKeys; //!< of FbxObjects::textures
     std::map<QByteArray, Entry> mEntries; //!< the first object of each key
+    std::set<QByteArray> mCurveNodes;     //!< keys of animated values
 };
 
 //! Version 6 calls the colour "Diffuse" as well.
@@ -108,6 +110,8 @@ void ObjectReader::readObject(int node)
         mTextureKeys.push_back(key);
         mEntries.try_emplace(key, Entry{Class::Texture, static_cast<int>(mObjects.textures.size())});
         mObjects.textures.push_back({objectName(mTree, called), {}});
+    } else if (name == "AnimationCurveNode") {
+        mCurveNodes.insert(key);
     }
     mTextures.addObject(name, key, node);
 }
@@ -168,6 +172,8 @@ FbxObjects ObjectReader::read()
             continue;
         if (values.size() == 3 && values[0].text == "OO")
             connect(values[1], values[2]);
+        if (values.size() > 3 && mCurveNodes.contains(keyOf(values[1])))
+            mObjects.contents.otherAnimations |= !values[3].text.starts_with("Lcl ");
         connectTexture(values);
     }
     mObjects.materialTextures = mTextures.ofMaterials(mObjects.materialNames.size());

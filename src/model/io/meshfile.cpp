@@ -96,16 +96,6 @@ Result<Scene> readAs(const QString &suffix, const QString &path, const std::atom
 
 } // namespace
 
-QStringList readableFormats()
-{
-    return QStringLiteral("obj ply stl off gltf glb fbx dae 3ds blend").split(QLatin1Char(' '));
-}
-
-QStringList writableFormats()
-{
-    return QStringLiteral("obj glb gltf dae fbx ply").split(QLatin1Char(' '));
-}
-
 Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop, double tileHeight)
 {
     const QString suffix = suffixOf(path);

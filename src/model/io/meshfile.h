@@ -3,17 +3,11 @@
 
 #include "model/document/result.h"
 #include "model/document/scene.h"
-
-#include <QStringList>
+#include "model/io/meshformats.h"
 
 #include <atomic>
 
 namespace autocuts {
-
-//! The lower-case suffixes that readMesh() supports, OBJ first.
-QStringList readableFormats();
-//! The lower-case suffixes that writeMesh() supports, OBJ first.
-QStringList writableFormats();
 
 //! Reads a mesh file. The suffix of the path, in upper or lower case, gives the format.
 //! \param stop ends the reading with an Error when it becomes true, within 0.1 s but for the last steps of

@@ -16,7 +16,8 @@ enum ActionNeed {
     NeedsJob = 1 << 8,           //!< a job is running
     NeedsOverlaps = 1 << 9,      //!< the map was measured and has overlaps
     NeedsEdgesOrFaces = 1 << 10, //!< edges or faces are selected
-    NeedsHidden = 1 << 11        //!< faces are hidden
+    NeedsHidden = 1 << 11,       //!< faces are hidden
+    NeedsFile = 1 << 12          //!< the model came from a file
 };
 
 //! One action. Texts are English sources for tr() in the context "Actions".

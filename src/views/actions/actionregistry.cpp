@@ -32,7 +32,8 @@ constexpr std::pair<int, const char *> reasons[] = {
     {NeedsRedo, QT_TRANSLATE_NOOP("Actions", "Nothing was taken back")},
     {NeedsJob, QT_TRANSLATE_NOOP("Actions", "No job is running")},
     {NeedsOverlaps, QT_TRANSLATE_NOOP("Actions", "No overlaps are known")},
-    {NeedsHidden, QT_TRANSLATE_NOOP("Actions", "Nothing is hidden")}};
+    {NeedsHidden, QT_TRANSLATE_NOOP("Actions", "Nothing is hidden")},
+    {NeedsFile, QT_TRANSLATE_NOOP("Actions", "The model is from no file: re-link it to one")}};
 
 QString toolTip(const ActionInfo &info, const QKeySequence &keys, const QString &why)
 {

@@ -7,6 +7,8 @@
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 
+#include <QFileInfo>
+
 namespace autocuts {
 
 ActionStates::ActionStates(const StudioContext &context, QObject *parent) : QObject(parent), mContext(context)
@@ -49,6 +51,7 @@ int ActionStates::met() const
     add(!selection.faces.isEmpty(), NeedsSelectedFaces);
     add(!selection.edges.isEmpty() || !selection.faces.isEmpty(), NeedsEdgesOrFaces);
     add(!document->hidden().empty(), NeedsHidden);
+    add(QFileInfo(document->state().scene.path).isAbsolute(), NeedsFile);
     // A running solve can be undone: pausing first makes it an entry.
     add(document->undoStack().canUndoFurther() || solver.isRunning() || solver.isPausing(), NeedsUndo);
     add(document->undoStack().canRedo(), NeedsRedo);

@@ -39,6 +39,17 @@ constexpr std::array fileTable{
         QT_TRANSLATE_NOOP("Actions",
                           "Replace the model by a changed version of it and keep seams, pins and rectangles"),
         NeedsIdleDocument},
+    ActionInfo{"file.watch", "File", QT_TRANSLATE_NOOP("Actions", "&Watch the file"), "", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Re-link the model whenever another program saves its file. The session "
+                                 "remembers it"),
+               NeedsDocument | NeedsFile, true},
+    ActionInfo{"file.exportAgain", "File", QT_TRANSLATE_NOOP("Actions", "Export a&gain after each re-link"),
+               "", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Write the model with its UV map beside its file, as NAME_uv, after each "
+                                 "re-link. The session remembers it"),
+               NeedsDocument | NeedsFile, true},
     ActionInfo{"file.exportMesh", "File", QT_TRANSLATE_NOOP("Actions", "&Export mesh..."), "export-mesh",
                "Ctrl+E", QT_TRANSLATE_NOOP("Actions", "Write the model with its UV map"), NeedsIdleDocument,
                false, "", true},

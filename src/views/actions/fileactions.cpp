@@ -44,9 +44,11 @@ QStringList openFilters()
 }
 
 FileActions::FileActions(const StudioContext &context, Questions &questions, QObject *parent)
-    : QObject(parent), mContext(context), mQuestions(questions)
+    : QObject(parent), mContext(context), mQuestions(questions),
+      mWatch(context.workspace, context.solver, context.files, context.map.jobs())
 {
     connectActions();
+    connect(&mWatch, &FileWatch::choiceChanged, this, &FileActions::showWatch);
     // After the save has ended: what is chosen may save again.
     connect(&context.files, &FileController::changedOnDisk, this, &FileActions::askChanged,
             Qt::QueuedConnection);
@@ -71,6 +73,11 @@ void FileActions::connectActions()
     onTriggered("file.save", [this] { save(); });
     onTriggered("file.saveAs", [this] { saveAs(); });
     onTriggered("file.relink", [this] { askRelink(); });
+    onTriggered("file.watch", [this] {
+        mWatch.setChoice({!mWatch.choice().watches, mWatch.choice().exports});
+        showWatch();
+    });
+    onTriggered("file.exportAgain", [this] { askExportAgain(); });
     onTriggered("file.exportMesh", [this] { mContext.solver.whenPaused([this] { askExportMesh(); }); });
     onTriggered("file.exportReport", [this] { mContext.solver.whenPaused([this] { askExportReport(); }); });
     onTriggered("file.exportLayout", [this] { mContext.solver.whenPaused([this] { askExportLayout(); }); });
@@ -229,6 +236,25 @@ void FileActions::askRelink()
     const QString path = mQuestions.fileToOpen(tr("Re-link model"), folder, filters);
     if (!path.isEmpty())
         mContext.solver.whenPaused([this, path] { mContext.files.relink(path); });
+}
+
+//! What the file beside the model holds is not replaced unasked.
+void FileActions::askExportAgain()
+{
+    const bool exports = !mWatch.choice().exports;
+    const QString path = mWatch.exportPath();
+    const bool may = !exports || !QFileInfo::exists(path) ||
+                     mQuestions.confirm(tr("Replace %1 after each re-link?").arg(QFileInfo(path).fileName()),
+                                        tr("Its content is lost."), tr("&Replace"));
+    if (may)
+        mWatch.setChoice({mWatch.choice().watches, exports});
+    showWatch();
+}
+
+void FileActions::showWatch()
+{
+    mContext.actions.action("file.watch")->setChecked(mWatch.choice().watches);
+    mContext.actions.action("file.exportAgain")->setChecked(mWatch.choice().exports);
 }
 
 void FileActions::askExportMesh()

@@ -1,6 +1,7 @@
 // The File menu, and the questions before unsaved work would be lost.
 #pragma once
 
+#include "views/control/filewatch.h"
 #include "views/control/studiocontext.h"
 
 #include <QObject>
@@ -30,6 +31,7 @@ public:
 
     //! Adds the recent files to their menu and keeps the menu up to date.
     void fillRecentMenu(MenuBuilder &menus);
+    FileWatch &watch() { return mWatch; }
     //! Opens a mesh or a session from the command line, by drag and drop, or from the recent files.
     void openFile(const QString &path);
     //! Offers to recover sessions after a crash; shows nothing when there are none.
@@ -49,6 +51,8 @@ private:
     void leaveSession(const std::function<void()> &then);
     void askOpen();
     void askRelink();
+    void askExportAgain();
+    void showWatch();
     void askChanged(const QString &path);
     void askExportMesh();
     void askExportLayout();
@@ -60,6 +64,7 @@ private:
 
     StudioContext mContext;
     Questions &mQuestions;
+    FileWatch mWatch;
     QMenu *mRecentMenu = nullptr;
 };
 

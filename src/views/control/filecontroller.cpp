@@ -357,16 +357,17 @@ bool FileController::isGone() const
     return mStamp.exists() && !FileStamp::of(mWorkspace.sessionPath()).exists();
 }
 
-void FileController::relink(const QString &meshPath)
+void FileController::relink(const QString &meshPath, bool tellEdited)
 {
     if (!mWorkspace.document())
         return;
     const double tileHeight = mWorkspace.document()->packingSettings().tileHeight();
     const bool started = relinkTo(
         meshPath, [=](const std::atomic<bool> &stop) { return readMesh(meshPath, &stop, tileHeight); },
-        [this](const Result<QStringList> &lost) {
-            if (!lost)
+        [this, tellEdited](RelinkEnd end, const Result<QStringList> &lost) {
+            if (!lost && (tellEdited || end != RelinkEnd::Edited))
                 Q_EMIT failed(lost.error());
+            Q_EMIT relinkEnded(end);
         });
     if (!started)
         tellBusy(meshPath);
@@ -375,11 +376,12 @@ void FileController::relink(const QString &meshPath)
 bool FileController::relinkHanded(const Scene &scene, const Taken &taken)
 {
     return relinkTo(
-        scene.path, [scene](const std::atomic<bool> &) { return scene; }, taken);
+        scene.path, [scene](const std::atomic<bool> &) { return scene; },
+        [taken](RelinkEnd, const Result<QStringList> &lost) { taken(lost); });
 }
 
 //! \pre a document is open
-bool FileController::relinkTo(const QString &path, const ReadModel &read, const Taken &taken)
+bool FileController::relinkTo(const QString &path, const ReadModel &read, const Relinking &ended)
 {
     const Document *document = mWorkspace.document();
     return mJobs.start(
@@ -390,33 +392,36 @@ bool FileController::relinkTo(const QString &path, const ReadModel &read, const 
                 return scene.error();
             return relinkDocument(state, std::move(scene).value(), [&job] { return job.stop().load(); });
         },
-        [this, taken, token = document->token()](const Result<Relinked> &linked) {
-            taken(adoptRelinked(linked, token));
+        [this, ended, token = document->token()](const Result<Relinked> &linked) {
+            if (!linked) {
+                ended(RelinkEnd::Failed, linked.error());
+            } else if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing()) {
+                // A running solve counts as an edit that is not in the document yet.
+                ended(RelinkEnd::Edited,
+                      Error{tr("The model was not re-linked, because the session was edited while the model was "
+                               "read"),
+                            linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")});
+            } else if (const QString problem = linked->state.validate(); !problem.isEmpty()) {
+                ended(RelinkEnd::Failed, Error{problem, linked->state.scene.path, 0, {}});
+            } else {
+                ended(RelinkEnd::Done, adoptRelinked(*linked));
+            }
         });
 }
 
-//! \param token token of the state that was re-linked \returns what is lost
-Result<QStringList> FileController::adoptRelinked(const Result<Relinked> &linked, const StateToken &token)
+//! \returns what is lost \pre the document is in the state that was re-linked
+QStringList FileController::adoptRelinked(const Relinked &linked)
 {
-    if (!linked)
-        return linked.error();
-    // A running solve counts as an edit that is not in the document yet.
-    if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing())
-        return Error{tr("The model was not re-linked, because the session was edited while the model was "
-                        "read"),
-                     linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")};
-    if (const QString problem = linked->state.validate(); !problem.isEmpty())
-        return Error{problem, linked->state.scene.path, 0, {}};
-    pushCommand(std::make_unique<ReplaceModel>(*mWorkspace.document(), linked->state));
-    const QString name = QFileInfo(linked->state.scene.path).fileName();
-    const QStringList lines = linked->report.lines();
+    pushCommand(std::make_unique<ReplaceModel>(*mWorkspace.document(), linked.state));
+    const QString name = QFileInfo(linked.state.scene.path).fileName();
+    const QStringList lines = linked.report.lines();
     if (lines.isEmpty()) {
         Q_EMIT done(tr("Re-linked to %1: everything was kept").arg(name));
         return lines;
     }
     Selection items;
     items.mode = SelectionMode::Faces;
-    items.faces = linked->report.newFaces;
+    items.faces = linked.report.newFaces;
     Q_EMIT noticed(tr("Re-linked to %1: %2").arg(name, lines.join(QStringLiteral("; "))), items);
     return lines;
 }
@@ -559,10 +564,12 @@ void FileController::tellNotes(const QStringList &notes)
 
 void FileController::tellWritten(const Result<Done> &written, const QString &path)
 {
-    if (written)
-        Q_EMIT done(tr("Wrote %1").arg(QFileInfo(path).fileName()));
-    else
+    if (!written) {
         Q_EMIT failed(written.error());
+        return;
+    }
+    Q_EMIT wrote(path);
+    Q_EMIT done(tr("Wrote %1").arg(QFileInfo(path).fileName()));
 }
 
 void FileController::saveForRecoveryNow()

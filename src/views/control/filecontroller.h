@@ -49,6 +49,13 @@ public:
                    const QString &recoveryFolder, QObject *parent = nullptr);
     ~FileController() override;
 
+    //! How a re-link ends.
+    enum class RelinkEnd {
+        Done,
+        Failed,
+        Edited //!< refused: the session was edited meanwhile
+    };
+
     //! The job that reads a file, for progress and cancelling.
     JobRunner &jobs() { return mJobs; }
     //! The sessions that a crash left behind.
@@ -66,8 +73,9 @@ public:
     void openSample(const QString &name);
     void recover(const RecoverableSession &session);
     //! Replaces the session's model by a version changed in another program, as one undo entry. The steering
-    //! is transferred. Refused when the session is edited while the model is read.
-    void relink(const QString &meshPath);
+    //! is transferred. Refused when the session is edited while the model is read. Emits relinkEnded(),
+    //! unless it is cancelled. \param tellEdited emit failed(), too, when it is refused
+    void relink(const QString &meshPath, bool tellEdited = true);
     //! What became of a model: what is lost, one line each, or why it was not taken.
     using Taken = std::function<void(const Result<QStringList> &lost)>;
     //! The same for a model that another program hands over. \param taken is not called when the job is
@@ -106,6 +114,9 @@ Q_SIGNALS:
     //! \param message translated, one line, for the status bar
     void done(const QString &message);
     void failed(const autocuts::Error &error);
+    //! A model, or another single file, was written.
+    void wrote(const QString &path);
+    void relinkEnded(autocuts::FileController::RelinkEnd end);
     //! The session's file was not replaced, see save().
     void changedOnDisk(const QString &path);
     //! What the user has to know of a result. \param items what it is about
@@ -116,7 +127,9 @@ Q_SIGNALS:
 private:
     //! Reads the model to re-link to, on the thread of a job.
     using ReadModel = std::function<Result<Scene>(const std::atomic<bool> &stop)>;
-    bool relinkTo(const QString &path, const ReadModel &read, const Taken &taken);
+    //! Receives what is lost, or why the model was not taken.
+    using Relinking = std::function<void(RelinkEnd end, const Result<QStringList> &lost)>;
+    bool relinkTo(const QString &path, const ReadModel &read, const Relinking &ended);
     void adoptFile(Scene scene);
     void takeFile(const QString &path, const FileStamp &stamp, std::shared_ptr<SessionLock> lock);
     std::function<QStringList(bool ownModel)> filesToKeep() const;
@@ -126,7 +139,7 @@ private:
     void tellBusy(const QString &path);
     void tellNotes(const QStringList &notes);
     void tellWritten(const Result<Done> &written, const QString &path);
-    Result<QStringList> adoptRelinked(const Result<Relinked> &linked, const StateToken &token);
+    QStringList adoptRelinked(const Relinked &linked);
     void saveForRecovery(const QString &path, const Autosave::Saved &saved);
     SessionToSave sessionNow(const QString &sessionPath);
     void endAutosave();

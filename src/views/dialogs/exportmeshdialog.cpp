@@ -80,7 +80,7 @@ ExportMeshDialog::ExportMeshDialog(Scene scene, const QString &path, Questions &
     connect(mFormat, &QComboBox::currentIndexChanged, this, &ExportMeshDialog::showFormat);
     connect(mPath, &PathField::pathChanged, this, &ExportMeshDialog::showPath);
 
-    const QString format = writableFormats().contains(mScene.format) ? mScene.format : QStringLiteral("obj");
+    const QString format = formatToWrite(mScene.format);
     QString proposed = path + QLatin1Char('.') + format;
     // The suggested path must not be that of the original model, so that it is not replaced by accident.
     if (QFileInfo(proposed) == QFileInfo(mScene.path))

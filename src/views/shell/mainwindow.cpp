@@ -457,6 +457,7 @@ void MainWindow::showOpened()
         mStudioActions->bake().setChoice(jobs::BakeChoice::fromCbor(bake.toMap()));
     if (const QCborValue light = saved.value(QStringLiteral("light")); light.isMap())
         mStudioActions->bake().setLight(jobs::LightChoice::fromCbor(light.toMap()));
+    mStudioActions->file().watch().restore(saved.value(QStringLiteral("watch")).toMap());
     mAwaitsMap = !hasUvs(*mWorkspace.document());
     mMeshView->restoreViewState(saved.value(QStringLiteral("mesh")).toMap());
     mUvView->restoreViewState(saved.value(QStringLiteral("uv")).toMap());
@@ -506,6 +507,7 @@ QByteArray MainWindow::viewStateBytes() const
     map[QStringLiteral("mesh")] = mMeshView->viewState();
     map[QStringLiteral("uv")] = mUvView->viewState();
     map[QStringLiteral("bake")] = mStudioActions->bake().choice().toCbor();
+    map[QStringLiteral("watch")] = mStudioActions->file().watch().toCbor();
     if (const jobs::LightChoice *light = mStudioActions->bake().light())
         map[QStringLiteral("light")] = light->toCbor();
     return map.toCborValue().toCbor();

@@ -290,6 +290,12 @@ GltfContents contentsOf(const Json &root)
         return used.is_array() && std::find(used.begin(), used.end(), extension) != used.end();
     };
     contents.animations = hasElements(root, "animations");
+    for (const Json &animation : member(root, "animations")) {
+        for (const Json &channel : member(animation, "channels")) {
+            const std::string path = textOf(member(channel, "target"), "path");
+            contents.otherAnimations |= path != "translation" && path != "rotation" && path != "scale";
+        }
+    }
     contents.bones = hasElements(root, "skins");
     contents.lightsOrCameras = hasElements(root, "cameras") || uses("KHR_lights_punctual");
     contents.hierarchy = member(root, "nodes").size() > 1;

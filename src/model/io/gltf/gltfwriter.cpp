@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace autocuts {
 
@@ -248,6 +250,25 @@ void GltfOutput::removeUnused(const std::vector<QString> &names) const
     }
 }
 
+//! Gives nodes names of their own: Assimp finds what is animated by its name. False when they have them.
+bool nameNodesApart(Json &root)
+{
+    if (!root.contains("nodes"))
+        return false;
+    std::set<std::string> taken;
+    std::vector<Json *> others;
+    for (Json &node : root["nodes"]) {
+        if (const std::string name = textOf(node, "name"); !name.empty() && !taken.insert(name).second)
+            others.push_back(&node);
+    }
+    for (Json *node : others) {
+        const std::string name = textOf(*node, "name");
+        for (int number = 2; !taken.insert((*node)["name"].get<std::string>()).second; ++number)
+            (*node)["name"] = name + '_' + std::to_string(number);
+    }
+    return !others.empty();
+}
+
 } // namespace
 
 Result<Done> writeGltf(const Scene &scene, const QString &path)
@@ -266,9 +287,10 @@ Result<Done> writeGltf(const Scene &scene, const QString &path)
 QByteArray sourceAsGlb(const GltfSource &source)
 {
     GltfFile file = source.file;
-    if (file.isBinary())
-        return file.main;
+    const bool isBinary = file.isBinary();
     GltfDocument document = openGltf(file);
+    if (!nameNodesApart(document.json) && isBinary)
+        return source.file.main;
     for (std::size_t b = 0; b < document.buffers.size(); ++b)
         document.json["buffers"][b].erase("uri");
     return glbBytes(std::move(document));

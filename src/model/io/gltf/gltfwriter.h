@@ -16,7 +16,8 @@ namespace autocuts {
 //! buffer. \pre gltfSourceOf(scene)
 Result<Done> writeGltf(const Scene &scene, const QString &path);
 
-//! The file of the source as one .glb file, with the UVs of the file. \throws GltfError
+//! The file of the source as one .glb file, with the UVs of the file. Nodes have names of
+//! their own. \throws GltfError
 QByteArray sourceAsGlb(const GltfSource &source);
 
 //! What writeGltf() loses, one line each.
