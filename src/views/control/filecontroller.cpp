@@ -397,10 +397,12 @@ bool FileController::relinkTo(const QString &path, const ReadModel &read, const 
                 ended(RelinkEnd::Failed, linked.error());
             } else if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing()) {
                 // A running solve counts as an edit that is not in the document yet.
-                ended(RelinkEnd::Edited,
-                      Error{tr("The model was not re-linked, because the session was edited while the model was "
-                               "read"),
-                            linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")});
+                ended(
+                    RelinkEnd::Edited,
+                    Error{
+                        tr("The model was not re-linked, because the session was edited while the model was "
+                           "read"),
+                        linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")});
             } else if (const QString problem = linked->state.validate(); !problem.isEmpty()) {
                 ended(RelinkEnd::Failed, Error{problem, linked->state.scene.path, 0, {}});
             } else {
