@@ -144,12 +144,8 @@ std::vector<int> SeamSearch::regionAcross(int chart, int edge) const
 //! Cuts edges that separate charts and moves the charts apart rigidly.
 void SeamSearch::cutApart(const std::vector<int> &edges)
 {
-    CutState apart = mState;
-    for (const int e : edges)
-        apart.cut[e] = 1;
-    apart.updateTopology();
-    apart.spreadCharts();
-    restore(apart);
+    mTrial.cutApart(edges);
+    touchAll();
 }
 
 //! Makes a chart large enough: cuts triangles off a neighbour and stitches them to the chart.

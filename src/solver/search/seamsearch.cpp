@@ -62,6 +62,12 @@ void SeamSearch::restore(const CutState &state)
 {
     mState = state;
     mTrial.reset();
+    touchAll();
+}
+
+//! Counts everything as changed.
+void SeamSearch::touchAll()
+{
     ++mClock;
     std::fill(mChanged.begin(), mChanged.end(), mClock);
 }

@@ -76,6 +76,7 @@ private:
     //! Of energy + mu * cost, by a change that is kept. Chosen by hand; its effect has not been measured.
     static constexpr double leastGain = 2e-6;
 
+    void touchAll();
     int zipEnds();
     int splitBoundary(int most);
     bool attempt(Move move, const SeamChange &asked, int size, int steps, double minGain,

@@ -183,6 +183,14 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutSta
     return accepted;
 }
 
+void SeamTrial::cutApart(const std::vector<int> &edges)
+{
+    setFlags(edges, true);
+    mTopology.update(mState, edges, {});
+    mState.spreadCharts();
+    mX = mState.x;
+}
+
 //! Writes the patch into the state and saves what undo() needs.
 void SeamTrial::keep()
 {

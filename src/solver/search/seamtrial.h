@@ -43,6 +43,8 @@ public:
     //! \param before receives the state as it was, when the change may be kept; null: not asked for
     //! \returns true when the change was kept
     bool attempt(const SeamChange &change, const TrialTerms &terms, CutState *before = nullptr);
+    //! Cuts uncut edges that separate charts, and moves the charts apart rigidly.
+    void cutApart(const std::vector<int> &edges);
     //! Must be called when the state has been replaced from outside.
     void reset() { mX = mState.x; }
     //! Minimises the energy of every chart by Newton steps with the seams fixed. When stopped, the chart
