@@ -274,6 +274,10 @@ class Link:
         always seams. unpins: corners."""
         self.send("marks", {"serial": self.serial}, self._marks(cuts, uncuts, pins, pin_uvs, unpins, selection))
 
+    def send_textures(self, materials):
+        """Says which pictures materials have now; see send_mesh()."""
+        self.send("textures", {"serial": self.serial, "materials": list(materials)})
+
     @staticmethod
     def _marks(cuts, uncuts, pins, pin_uvs, unpins, selection):
         given = {"cuts": cuts, "uncuts": uncuts, "pins": pins, "pinUvs": pin_uvs, "unpins": unpins}
@@ -322,7 +326,7 @@ class Link:
                 break
             at = start + fields + arrays
             message = decode(bytes(self._in[start : start + fields]), bytes(self._in[start + fields : at]))
-            if message.type not in ("maps", "marks") or message.fields.get("serial") == self.serial:
+            if message.type not in ("maps", "marks", "textures") or message.fields.get("serial") == self.serial:
                 messages.append(message)
         del self._in[:at]
         return messages
