@@ -147,6 +147,31 @@ class BlenderLink(unittest.TestCase):
         self.assertEqual(len(maps.arrays["uvs"]), len(moved))
         self.assertTrue(np.array_equal(uvs_of(item), moved.astype(np.float32)))
 
+    def test_textures_go_both_ways(self):
+        self.studio()
+        item = add_grid(4)
+        paths = []
+        for name in ("one", "two", "bumps"):
+            image = bpy.data.images.new(name, 4, 4)
+            image.filepath_raw = os.path.join(self.folder, name + ".png")
+            image.file_format = "PNG"
+            image.save()
+            paths.append(image.filepath_raw)
+        material = bpy.data.materials.new("Wood")
+        material.use_nodes = True
+        item.data.materials.append(material)
+        livelink._set_texture(material, "baseColor", paths[0])
+        self.open(item)
+        program = self.second(item)
+        told = program.wait_for("textures", LONG).fields["materials"]
+        self.assertEqual(told, [{"name": "Wood", "textures": {"baseColor": paths[0]}}])
+        livelink._set_texture(material, "baseColor", paths[1])
+        told = self.hears(program, "textures", lambda one: True).fields["materials"]
+        self.assertEqual(told, [{"name": "Wood", "textures": {"baseColor": paths[1]}}])
+        program.send_textures([{"name": "Wood", "textures": {"baseColor": paths[0], "normal": paths[2]}}])
+        expected = {"baseColor": paths[0], "normal": paths[2]}
+        self.until(lambda: livelink._textures(material) == expected, "no textures")
+
     def test_selection_in_edit_mode(self):
         self.studio()
         item = add_grid(4)

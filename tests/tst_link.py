@@ -14,8 +14,17 @@ import tempfile
 import time
 import unittest
 
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "python", "autocuts"))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [
+    os.path.join(HERE, "support"),
+    os.path.join(HERE, "..", "python", "autocuts"),
+    os.path.join(HERE, "..", "integrations", "maya"),
+]
 import link
+import mayastandin
+
+mayastandin.install()
+import autocuts_maya
 
 STUDIO = os.environ["AUTOCUTS_STUDIO"]
 LONG = 120  # seconds; much longer than anything takes
@@ -35,6 +44,28 @@ def grid(side, bend=0.0):
 def rows(array):
     """An array of a message as tuples, with NumPy and without."""
     return [tuple(int(x) for x in row) for row in array]
+
+
+class Frames(unittest.TestCase):
+    def test_with_and_without_numpy(self):
+        """Both give the same bytes and the same values."""
+        arrays = {"a": ([(1.5, 2.5), (-1.0, 1e300)], "f8", 2), "b": ([7, -8], "i4", 1), "c": ([], "i4", 2)}
+        before = link.numpy
+        made = []
+        for numpy in {before, None}:
+            link.numpy = numpy
+            try:
+                frame = link.encode("maps", {"name": "Größe"}, arrays)
+                size = int.from_bytes(frame[:4], "little")
+                message = link.decode(frame[8 : 8 + size], frame[8 + size :])
+            finally:
+                link.numpy = before
+            made.append(frame)
+            self.assertEqual((message.type, message.fields), ("maps", {"name": "Größe"}))
+            self.assertEqual([tuple(row) for row in message.arrays["a"]], arrays["a"][0])
+            self.assertEqual(list(message.arrays["b"]), [7, -8])
+            self.assertEqual(len(message.arrays["c"]), 0)
+        self.assertEqual(len(set(made)), 1)
 
 
 class Studios(unittest.TestCase):
@@ -194,6 +225,99 @@ class Studios(unittest.TestCase):
                         while noise.recv(1 << 16):
                             pass
         self.assertEqual(self.hand(studio, "a", grid(4, 0.1)).fields["how"], "relinked")
+
+    def maya_until(self, holds):
+        until = time.monotonic() + LONG
+        while not holds():
+            self.assertLess(time.monotonic(), until, mayastandin.scene.said)
+            mayastandin.scene.run_timers()
+            time.sleep(0.01)
+
+    def test_maya_by_a_stand_in(self):
+        """Two meshes get one map; an edit is re-linked; faces are selected on both sides; the studio is killed."""
+        scene = mayastandin.scene
+        self.addCleanup(autocuts_maya.end_link)
+        first, second = "|one|oneShape", "|two|twoShape"
+        for path in (first, second):
+            scene.meshes[path] = mayastandin.Mesh(*grid(5, 0.4))
+        scene.selection = []
+        autocuts_maya.open_in_autocuts()
+        self.assertIn("select meshes", scene.said[-1])
+        solving = os.path.join(self.runtime, "solving")
+        with open(solving, "w", encoding="utf-8") as file:
+            file.write(f'#!/bin/sh\nexec "{STUDIO}" --solve\n')
+        os.chmod(solving, 0o700)
+        scene.selection = ["|one", "|two"]
+        autocuts_maya.open_in_autocuts(studio=solving)
+        process = autocuts_maya._session.link.process
+        self.processes.append(process)
+        mesh = scene.meshes[second]
+        self.maya_until(lambda: mesh.us)
+        self.assertEqual(mesh.counts, mesh.sizes)
+        self.assertEqual(len(set(zip(mesh.us, mesh.vs))), len(mesh.us))
+        self.assertTrue(all(-0.01 < value < 1.01 for value in mesh.us + mesh.vs))
+        # Corners of a vertex that lie together in the map are one.
+        self.assertLess(len(mesh.us), len(mesh.corners))
+        serial = autocuts_maya._session.link.serial
+        mesh.points[3] = (3, 0, 0.5)
+        self.maya_until(lambda: autocuts_maya._session.link.serial > serial and not autocuts_maya._session.waiting)
+        with link.connect() as other:
+            model = ["|one|oneShape", "|two|twoShape"]
+            points = [p for one in scene.meshes.values() for p in one.points]
+            sizes = [s for one in scene.meshes.values() for s in one.sizes]
+            corners = mesh.corners + [corner + len(mesh.points) for corner in mesh.corners]
+            other.send_mesh(other.place.model, model, points, sizes, corners, [0] * 25 + [1] * 25)
+            self.assertEqual(other.wait_for("taken", LONG).fields["how"], "unchanged")
+            other.send_marks(selection=[1, 27])
+            self.maya_until(lambda: scene.selection == [f"{first}.f[1]", f"{second}.f[2]"])
+            scene.selection = [f"{second}.f[4]"]
+            heard = []
+            self.maya_until(
+                lambda: heard.extend(other.poll())
+                or any(29 in one.arrays.get("selection", ()) for one in heard if one.type == "marks")
+            )
+        process.kill()
+        process.wait()
+        self.maya_until(lambda: autocuts_maya._session is None)
+        self.assertEqual(scene.timers, {})
+
+    @unittest.skipUnless(os.environ.get("AUTOCUTS_MODULE"), "no Python module")
+    def test_the_command_line(self):
+        """A file goes to the studio, and comes back with the map that another program has put there."""
+        model, output = (os.path.join(self.runtime, name) for name in ("grid.obj", "mapped.obj"))
+        positions, _, corners = grid(3)
+        with open(model, "w", encoding="utf-8") as file:
+            file.writelines(f"v {x} {y} {z}\n" for x, y, z in positions)
+            quads = zip(*[iter(corners)] * 4)
+            file.writelines("f " + " ".join(str(vertex + 1) for vertex in quad) + "\n" for quad in quads)
+        self.start()
+        environment = {**os.environ, "PYTHONPATH": os.environ["AUTOCUTS_MODULE"]}
+        with subprocess.Popen(
+            [sys.executable, "-m", "autocuts.link", model, "-o", output], env=environment, stdout=subprocess.PIPE, text=True
+        ) as tool:
+            until = time.monotonic() + LONG
+            while link.places()[0].model != model:
+                self.assertLess(time.monotonic(), until)
+                time.sleep(0.05)
+            with link.connect() as other:
+                uvs = [(positions[vertex][0] / 8, positions[vertex][1] / 8) for vertex in corners]
+                other.send_mesh(model, ["Other"], *grid(3))
+                # Another object: it is no state of this model.
+                with self.assertRaisesRegex(link.LinkError, "another model"):
+                    other.wait_for("taken", LONG)
+                other.send_mesh(model, ["grid.obj"], *grid(3), uv_sets=[("UVMap", uvs)])
+                other.wait_for("taken", LONG)
+                self.assertIn("0 edges are seams", tool.communicate(timeout=LONG)[0])
+        self.assertEqual(tool.returncode, 0)
+        with open(output, encoding="utf-8") as file:
+            written = {tuple(map(float, line.split()[1:])) for line in file if line.startswith("vt ")}
+        self.assertEqual(written, set(uvs))
+        failed = subprocess.run(
+            [sys.executable, "-m", "autocuts.link", model + "x", "-o", output],
+            env=environment, capture_output=True, text=True, check=False,
+        )
+        self.assertEqual(failed.returncode, 1)
+        self.assertTrue(failed.stderr.startswith("autocuts.link: "), failed.stderr)
 
     def test_nothing_is_readable_by_others(self):
         studio = self.start()

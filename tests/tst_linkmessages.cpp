@@ -280,7 +280,7 @@ private Q_SLOTS:
     void onlyWhatDiffersIsSent()
     {
         const HandedModel handed = readHandedModel(squares()).value();
-        SharedModel shared{handed.serial, handed.scene.mesh, handed.edges, {}, {}, false};
+        SharedModel shared{handed.serial, handed.scene.mesh, handed.edges, {}, {}, false, {}};
         MapToSend send;
         send.states.assign(std::size_t(handed.scene.mesh->cornerPairCount()), PairState::Free);
         send.uv = handed.scene.uvSets[0].uv;

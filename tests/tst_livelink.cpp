@@ -1,5 +1,5 @@
 // The live link of the studio with other programs, over a real socket.
-#include "commands/changesettings.h"
+#include "commands/edittextures.h"
 #include "commands/setseamstate.h"
 #include "commands/setuvs.h"
 #include "model/document/makesnapshot.h"
@@ -177,6 +177,42 @@ private Q_SLOTS:
         addEdge(message, "uncuts", a);
         program.send(message);
         QTRY_VERIFY(!studio.isCut(a));
+    }
+
+    void texturesGoBothWays()
+    {
+        LinkedStudio studio;
+        LinkedProgram program(studio.place);
+        QVERIFY(program.enter(studio.place));
+        const auto materials = [](const QString &color, const QString &normal) {
+            return QJsonArray{
+                QJsonObject{{u"name"_s, u"Wood"_s},
+                            {u"textures"_s, QJsonObject{{u"baseColor"_s, color}, {u"normal"_s, normal}}}}};
+        };
+        Message mesh = meshMessage(cube(), 1, true);
+        mesh.set(u"materials"_s, materials(u"/a.png"_s, u"/n.png"_s));
+        QCOMPARE(how(program.hand(mesh)), u"opened"_s);
+        const auto file = [&](TextureChannel channel) {
+            return studio.document()->state().textureSet(0).at(channel).picture.file;
+        };
+        QCOMPARE(file(TextureChannel::BaseColor), u"/a.png"_s);
+        Message other(u"textures"_s);
+        other.set(u"serial"_s, 1);
+        other.set(u"materials"_s, materials(u"/b.png"_s, u"/n.png"_s));
+        program.send(other);
+        QTRY_COMPARE(file(TextureChannel::BaseColor), u"/b.png"_s);
+        QCOMPARE(file(TextureChannel::Normal), u"/n.png"_s);
+        TextureSet chosen;
+        chosen[TextureChannel::BaseColor].picture.file = u"/c.png"_s;
+        pushCommand(EditTextures::ofMaterial(*studio.document(), 0, chosen));
+        QCOMPARE(program.waitFor("textures").fields().value("materials"_L1).toArray(),
+                 materials(u"/c.png"_s, u"/n.png"_s));
+        // The same mesh again, with what the program has meanwhile: nothing changes.
+        mesh = meshMessage(cube(), 2, false);
+        mesh.set(u"materials"_s, materials(u"/c.png"_s, u"/n.png"_s));
+        const int entries = studio.document()->undoStack().count();
+        QCOMPARE(how(program.hand(mesh)), u"unchanged"_s);
+        QCOMPARE(studio.document()->undoStack().count(), entries);
     }
 
     void mapsComeWhileSolving()

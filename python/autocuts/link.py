@@ -6,10 +6,12 @@
         maps = studio.wait_for("maps")
         uvs = maps.arrays["uvs"]
 
-This file needs nothing but Python 3.8: bridges for other programs may carry a copy of it. With NumPy, arrays are NumPy's;
+`python3 -m autocuts.link MODEL -o OUT` does that for a file; it needs NumPy and the rest of the package. Without them this
+file needs nothing but Python 3.8: bridges for other programs may carry a copy of it. With NumPy, arrays are NumPy's;
 without it, rows of several numbers are tuples in a list. docs/link.md describes the protocol.
 """
 
+import argparse
 import array
 import errno
 import json
@@ -272,6 +274,10 @@ class Link:
         always seams. unpins: corners."""
         self.send("marks", {"serial": self.serial}, self._marks(cuts, uncuts, pins, pin_uvs, unpins, selection))
 
+    def send_textures(self, materials):
+        """Says which pictures materials have now; see send_mesh()."""
+        self.send("textures", {"serial": self.serial, "materials": list(materials)})
+
     @staticmethod
     def _marks(cuts, uncuts, pins, pin_uvs, unpins, selection):
         given = {"cuts": cuts, "uncuts": uncuts, "pins": pins, "pinUvs": pin_uvs, "unpins": unpins}
@@ -320,7 +326,7 @@ class Link:
                 break
             at = start + fields + arrays
             message = decode(bytes(self._in[start : start + fields]), bytes(self._in[start + fields : at]))
-            if message.type not in ("maps", "marks") or message.fields.get("serial") == self.serial:
+            if message.type not in ("maps", "marks", "textures") or message.fields.get("serial") == self.serial:
                 messages.append(message)
         del self._in[:at]
         return messages
@@ -389,3 +395,65 @@ def start_studio(command=("autocuts",), folder=None, timeout=60, program="Python
                 return studio
         time.sleep(0.05)
     raise LinkError("The studio has not started. Start it yourself and try again.")
+
+
+def _hand_file(studio, mesh, path):
+    """Hands a Mesh of the package over, as what the user wants to see."""
+    numbers = [] if mesh.objects is None else sorted(set(mesh.objects.tolist()))
+    names = list(mesh.object_names) or [os.path.basename(path)]
+    names += [f"object {number}" for number in range(len(names), max(numbers, default=0) + 1)]
+    materials = mesh.materials if mesh.material_names else None
+    studio.send_mesh(
+        os.path.abspath(path),
+        names,
+        mesh.positions,
+        mesh.sizes(),
+        numpy.ravel(mesh.faces),
+        mesh.objects,
+        mesh.material_names,
+        materials,
+        uv_sets=() if mesh.uvs is None else [("UVMap", mesh.uvs)],
+        open=True,
+    )
+    for line in studio.wait_for("taken").fields["lost"]:
+        print(line, file=sys.stderr)
+
+
+def _run(choice):
+    from autocuts import Mesh
+
+    mesh = Mesh.load(choice.model)
+    studio = start_studio((choice.studio,), program="autocuts.link") if choice.start else connect(program="autocuts.link")
+    with studio:
+        studio.want("live" if choice.watch == "live" else "pause")
+        _hand_file(studio, mesh, choice.model)
+        while True:
+            maps = studio.wait_for("maps", timeout=choice.timeout)
+            mesh.uvs = maps.arrays["uvs"]
+            mesh.save(choice.output)
+            print(f"{choice.output}: {len(maps.arrays['seams'])} edges are seams")
+            if not choice.watch:
+                return
+
+
+def main(arguments):
+    """The command line: hands a file to the studio and writes the map that comes back. Returns an exit code."""
+    options = argparse.ArgumentParser(prog="python3 -m autocuts.link", description=main.__doc__.split(". Returns")[0])
+    options.add_argument("model", help="a mesh in any format that autocuts-cli reads")
+    options.add_argument("-o", "--output", required=True, help="the mesh with the map")
+    options.add_argument("--watch", choices=("pause", "live"), help="write each map, until the studio ends the link")
+    options.add_argument("--start", action="store_true", help="start a studio, in place of one that runs")
+    options.add_argument("--studio", default="autocuts", help="the program for --start (autocuts)")
+    options.add_argument("--timeout", type=float, default=86400, metavar="SECONDS", help="how long to wait for a map (a day)")
+    try:
+        _run(options.parse_args(arguments))
+    except (LinkError, OSError, ValueError) as error:
+        print(f"autocuts.link: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        return 130
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

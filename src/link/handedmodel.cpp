@@ -1,14 +1,15 @@
 #include "link/handedmodel.h"
 
+#include "link/linktextures.h"
 #include "model/document/constraints.h"
 #include "model/io/meshlimits.h"
 
 #include <QJsonArray>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace autocuts::link {
 
@@ -17,10 +18,6 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr qsizetype mostUvSets = 32; // chosen by hand
-//! Channels as messages call them, in the order of TextureChannel.
-constexpr std::array<QLatin1StringView, textureChannelCount> channelNames{
-    "baseColor"_L1, "roughness"_L1, "metalness"_L1, "normal"_L1, "occlusion"_L1, "emission"_L1, "height"_L1};
-
 std::vector<QString> namesIn(const QJsonValue &list)
 {
     std::vector<QString> names;
@@ -104,19 +101,13 @@ Result<std::vector<UvSet>> readUvSets(const Message &message, int corners)
 
 void takeMaterials(const QJsonValue &list, Scene &scene)
 {
-    const QJsonArray materials = list.toArray();
-    for (const QJsonValue &material : materials) {
-        scene.materialNames.push_back(material["name"_L1].toString().left(maxNameLength));
-        TextureSet set;
-        const QJsonObject textures = material["textures"_L1].toObject();
-        for (std::size_t channel = 0; channel < channelNames.size(); ++channel) {
-            if (const QString file = textures.value(channelNames[channel]).toString(); !file.isEmpty())
-                set[TextureChannel(channel)].picture.file = file;
-        }
+    NamedTextures materials = NamedTextures::read(list);
+    for (TextureSet &set : materials.sets) {
         scene.materialTextures.push_back(set[TextureChannel::BaseColor].picture);
         set.erase(TextureChannel::BaseColor);
-        scene.materialSets.push_back(std::move(set));
     }
+    scene.materialNames = std::move(materials.names);
+    scene.materialSets = std::move(materials.sets);
 }
 
 //! The polygons, their objects and materials.

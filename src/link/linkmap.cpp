@@ -75,6 +75,13 @@ QByteArray messagesFor(SharedModel &model, const MapToSend &send)
         frames += message.encoded();
         model.marks = marks;
     }
+    if (!send.textures.isEmpty() && send.textures != model.textures) {
+        Message message(u"textures"_s);
+        message.set(u"serial"_s, model.serial);
+        message.set(u"materials"_s, send.textures);
+        frames += message.encoded();
+        model.textures = send.textures;
+    }
     const bool none = !(send.uv.array() == send.uv.array()).any();
     if (none && !send.always)
         return frames;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "link/linkmarks.h"
+#include "link/linktextures.h"
 #include "model/document/constraints.h"
 #include "model/document/seams.h"
 
@@ -21,6 +22,7 @@ struct SharedModel
     LinkUvs uvs;                              //!< of its active UV set; empty: unknown
     Marks marks;
     bool solving = false; //!< what it was told last with a map
+    QJsonArray textures;  //!< as NamedTextures writes them
 };
 
 //! What a program is to get.
@@ -34,11 +36,12 @@ struct MapToSend
     bool always = false;  //!< the program has asked for it
     std::vector<PairState> states;
     std::vector<UvPin> pins;
-    QList<int> faces; //!< selected ones
+    QList<int> faces;    //!< selected ones
+    QJsonArray textures; //!< as NamedTextures writes them
 };
 
 //! Compares with what the program has, and notes what it will have. Takes as long as measuring a map: not for
-//! the GUI thread. \returns the bytes of no, one or two messages
+//! the GUI thread. \returns the bytes of the messages
 QByteArray messagesFor(SharedModel &model, const MapToSend &send);
 
 LinkUvs toLinkUvs(const UvMatrix &uv, double tileHeight);

@@ -16,6 +16,14 @@ from . import api, link, meshdata
 
 _EVERY = 0.1  # seconds between two looks at the link
 _START = 60  # seconds that a studio may take to start
+#: Channels of pictures, and the inputs of the surface that they are at.
+_INPUTS = {
+    "baseColor": "Base Color",
+    "roughness": "Roughness",
+    "metalness": "Metallic",
+    "normal": "Normal",
+    "emission": "Emission",
+}
 _RESTING = 0.3  # seconds between two looks at a mesh that is being edited
 
 
@@ -28,6 +36,7 @@ class Known:
     cuts: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))  # keys of edges, ascending
     pins: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))  # corners, ascending
     faces: np.ndarray | None = None  # selected ones; None: not said
+    materials: list = field(default_factory=list)  # with their pictures
 
 
 def _keys(pairs):
@@ -55,13 +64,7 @@ def _textures(material):
         return {}
     found = {}
     surface = next((node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED"), None)
-    for channel, name in (
-        ("baseColor", "Base Color"),
-        ("roughness", "Roughness"),
-        ("metalness", "Metallic"),
-        ("normal", "Normal"),
-        ("emission", "Emission"),
-    ):
+    for channel, name in _INPUTS.items():
         socket = surface.inputs.get(name) if surface else None
         node = socket.links[0].from_node if socket and socket.links else None
         if node and node.type == "NORMAL_MAP" and node.inputs["Color"].links:
@@ -69,6 +72,36 @@ def _textures(material):
         if node and node.type == "TEX_IMAGE" and node.image and node.image.filepath:
             found[channel] = os.path.abspath(bpy.path.abspath(node.image.filepath))
     return found
+
+
+def _image_node(material, channel):
+    """The node of the picture at an input of a material's surface, made where there is none; None without a surface."""
+    tree = material.node_tree if material else None
+    surface = next((node for node in tree.nodes if node.type == "BSDF_PRINCIPLED"), None) if tree else None
+    socket = surface.inputs.get(_INPUTS[channel]) if surface and channel in _INPUTS else None
+    if socket is None:
+        return None
+    node = socket.links[0].from_node if socket.links else None
+    if channel == "normal":
+        if node is None or node.type != "NORMAL_MAP":
+            node = tree.nodes.new("ShaderNodeNormalMap")
+            tree.links.new(node.outputs["Normal"], socket)
+        socket = node.inputs["Color"]
+        node = socket.links[0].from_node if socket.links else None
+    if node is None or node.type != "TEX_IMAGE":
+        node = tree.nodes.new("ShaderNodeTexImage")
+        tree.links.new(node.outputs["Color"], socket)
+    return node
+
+
+def _set_texture(material, channel, path):
+    """Puts a picture at an input of a material's surface, where the file is there."""
+    node = _image_node(material, channel) if os.path.isfile(path) else None
+    if node is None:
+        return
+    node.image = bpy.data.images.load(path, check_existing=True)
+    if channel not in ("baseColor", "emission"):
+        node.image.colorspace_settings.name = "Non-Color"
 
 
 def model_name():
@@ -239,6 +272,19 @@ class Session:
         if faces is not None:
             known.faces = np.asarray(faces)
 
+    def _take_textures(self, message):
+        for told in message.fields["materials"]:
+            material = bpy.data.materials.get(told["name"])
+            present = _textures(material)
+            for channel, path in told["textures"].items():
+                if present.get(channel) != path:
+                    _set_texture(material, channel, path)
+        self._known.materials = self._materials(told["name"] for told in message.fields["materials"])
+
+    @staticmethod
+    def _materials(names):
+        return [{"name": name, "textures": _textures(bpy.data.materials.get(name))} for name in names]
+
     @staticmethod
     def _mark_edges(item, first_vertex, cuts, uncuts):
         if not len(cuts) and not len(uncuts):
@@ -293,6 +339,10 @@ class Session:
         # Changes of marks are said with the numbers that the studio knows.
         if same_corners:
             self._send_marks(model)
+            materials = self._materials(model.materials)
+            if materials != self._known.materials:
+                self._known.materials = materials
+                self._link.send_textures(materials)
         if own_uvs or self._described(model) != self._known.mesh:
             self._send_mesh(model, own_uvs, False)
 
@@ -324,9 +374,7 @@ class Session:
     def _send_mesh(self, model, own_uvs, opens):
         cuts, pins, faces = self._marks_of(model)
         has_uvs = own_uvs and np.isfinite(model.uvs).any()
-        materials = [
-            {"name": name, "textures": _textures(bpy.data.materials.get(name))} for name in model.materials
-        ]
+        materials = self._materials(model.materials)
         self._link.send_mesh(
             model_name(),
             model.names,
@@ -349,7 +397,7 @@ class Session:
         meshes = [item.data for item in self._objects()]
         self._first_vertices = np.cumsum([0] + [len(mesh.vertices) for mesh in meshes])[:-1].tolist()
         self._first_faces = np.cumsum([0] + [len(mesh.polygons) for mesh in meshes])[:-1].tolist()
-        self._known = Known(self._described(model), model.uvs.astype(np.float32), cuts, pins, faces)
+        self._known = Known(self._described(model), model.uvs.astype(np.float32), cuts, pins, faces, materials)
 
 
 def _select_faces(item, faces):

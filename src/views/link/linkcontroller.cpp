@@ -83,6 +83,8 @@ void LinkController::receive(LinkClient *client, const link::Message &message)
     }
     if (message.type() == "marks"_L1) {
         takeMarks(*client, message);
+    } else if (message.type() == "textures"_L1) {
+        takeTextures(*client, message);
     } else if (message.type() == "want"_L1) {
         const QString mode = message.fields().value("mode"_L1).toString();
         client->setMode(mode == "live"_L1    ? LinkMode::Live
@@ -100,16 +102,34 @@ void LinkController::receive(LinkClient *client, const link::Message &message)
     client->next();
 }
 
+//! True when a message is about the mesh of the document. Otherwise the program is told.
+bool LinkController::isShared(LinkClient &client, const link::Message &message) const
+{
+    const Document *document = mContext.workspace.document();
+    const link::SharedModel &shared = client.shared;
+    if (document && shared.mesh && document->state().scene.mesh == shared.mesh &&
+        link::serialOf(message) == shared.serial)
+        return true;
+    client.refuse(link::serialOf(message),
+                  {tr("the studio has another model"), {}, 0, tr("Open this one in Autocuts again")});
+    return false;
+}
+
+void LinkController::takeTextures(LinkClient &client, const link::Message &message)
+{
+    if (!isShared(client, message))
+        return;
+    const auto materials = link::NamedTextures::read(message.fields().value("materials"_L1));
+    client.shared.textures = materials.written();
+    ++client.revision;
+    applyTextures(*mContext.workspace.document(), materials);
+}
+
 void LinkController::takeMarks(LinkClient &client, const link::Message &message)
 {
-    Document *document = mContext.workspace.document();
-    link::SharedModel &shared = client.shared;
-    const bool isThere = document && shared.mesh && document->state().scene.mesh == shared.mesh;
-    if (!isThere || link::serialOf(message) != shared.serial) {
-        client.refuse(link::serialOf(message),
-                      {tr("the studio has another model"), {}, 0, tr("Open this one in Autocuts again")});
+    if (!isShared(client, message))
         return;
-    }
+    link::SharedModel &shared = client.shared;
     const MeshData &mesh = *shared.mesh;
     const Result<link::MarkChanges> changes =
         link::MarkChanges::read(message, int(mesh.positions.rows()), mesh.cornerCount(), mesh.faceCount());
@@ -119,7 +139,7 @@ void LinkController::takeMarks(LinkClient &client, const link::Message &message)
     }
     shared.marks.apply(changes.value());
     ++client.revision;
-    applyMarks(*document, *shared.edges, changes.value());
+    applyMarks(*mContext.workspace.document(), *shared.edges, changes.value());
 }
 
 } // namespace autocuts

@@ -39,6 +39,8 @@ private:
     void nameModel();
     void join(LinkClient *client);
     void receive(LinkClient *client, const link::Message &message);
+    bool isShared(LinkClient &client, const link::Message &message) const;
+    void takeTextures(LinkClient &client, const link::Message &message);
     void takeMarks(LinkClient &client, const link::Message &message);
 
     StudioContext mContext;

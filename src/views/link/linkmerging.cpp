@@ -1,6 +1,7 @@
 #include "views/link/linkmerging.h"
 
 #include "commands/editpins.h"
+#include "commands/edittextures.h"
 #include "commands/newmap.h"
 #include "commands/setseamstate.h"
 
@@ -53,6 +54,24 @@ void applyMarks(Document &document, const link::VertexPairs &edges, const link::
     }
 }
 
+void applyTextures(Document &document, const link::NamedTextures &materials)
+{
+    const std::vector<QString> &own = document.state().scene.materialNames;
+    std::vector<TextureSet> sets = document.state().textureSets;
+    sets.resize(own.size() + 1); // the first set is that of faces without a material
+    for (std::size_t i = 0; i < materials.names.size(); ++i) {
+        const auto material = std::ranges::find(own, materials.names[i]) - own.begin();
+        if (material == std::ssize(own))
+            continue;
+        TextureSet present = document.state().textureSet(int(material));
+        for (const auto &[channel, picture] : materials.sets[i]) {
+            if (present[channel].picture.file != picture.picture.file)
+                sets[std::size_t(material) + 1][channel] = picture;
+        }
+    }
+    pushCommand(std::make_unique<EditTextures>(document, withoutEmptyEnd(std::move(sets))));
+}
+
 void applyUvs(Document &document, const UvMatrix &uv)
 {
     const double tileHeight = document.packingSettings().tileHeight();
@@ -82,6 +101,10 @@ link::MapToSend toSend(const Document &document)
     send.states = document.seams().states;
     send.pins = document.constraints().pins;
     send.faces = document.selection().faces;
+    link::NamedTextures textures{document.state().scene.materialNames, {}};
+    for (int material = 0; material < int(textures.names.size()); ++material)
+        textures.sets.push_back(document.state().textureSet(material));
+    send.textures = textures.written();
     return send;
 }
 

@@ -32,7 +32,14 @@ LinkSending::LinkSending(const StudioContext &context, Clients clients, QObject 
     mSoon.setInterval(togetherFor);
     connect(&mSoon, &QTimer::timeout, this, &LinkSending::sendNow);
     connect(&mContext.workspace, &Workspace::documentReplaced, this, &LinkSending::sendSoon);
-    connect(&mContext.workspace, &Workspace::changed, this, &LinkSending::sendSoon);
+    connect(&mContext.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        // Tokens say nothing of textures.
+        if (event.type == ChangeEvent::Type::Textures) {
+            for (LinkClient *client : mClients())
+                client->seen = {};
+        }
+        sendSoon();
+    });
     connect(&mContext.workspace, &Workspace::selectionChanged, this, &LinkSending::sendSoon);
     connect(&mContext.solver, &SolverController::statusChanged, this, &LinkSending::sendSoon);
     connect(&mContext.solver, &SolverController::stateChanged, this, &LinkSending::sendSoon);

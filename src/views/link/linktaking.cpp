@@ -197,14 +197,19 @@ void LinkTaking::share(How how)
         return;
     Document &document = *mContext.workspace.document();
     link::SharedModel &shared = handed.client->shared;
-    shared = {model.serial, model.scene.mesh, model.edges, {}, {}, false};
+    shared = {model.serial, model.scene.mesh, model.edges, {}, {}, false, {}};
     shared.marks.apply(model.marks);
     if (!model.scene.uvSets.empty())
         shared.uvs = link::toLinkUvs(model.scene.uvSets.front().uv, 1);
+    link::NamedTextures textures{model.scene.materialNames, {}};
+    for (int material = 0; material < int(textures.names.size()); ++material)
+        textures.sets.push_back(model.scene.fileSet(material));
+    shared.textures = textures.written();
     ++handed.client->revision;
     if (how == How::Opened)
         return;
     applyMarks(document, *model.edges, model.marks);
+    applyTextures(document, textures);
     if (!model.scene.uvSets.empty())
         applyUvs(document, model.scene.uvSets.front().uv);
 }
