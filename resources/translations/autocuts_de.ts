@@ -1960,10 +1960,6 @@
         <translation>Meshes, die sich mehrere Knoten teilen, werden zu einer Kopie je Knoten mit eigenen UVs</translation>
     </message>
     <message>
-        <source>animations are lost</source>
-        <translation>Animationen gehen verloren</translation>
-    </message>
-    <message>
         <source>bones and animations are lost: only FBX can hold those of this file</source>
         <translation>Knochen und Animationen gehen verloren: nur FBX kann die dieser Datei aufnehmen</translation>
     </message>
@@ -2022,6 +2018,10 @@
     <message>
         <source>animations are kept of objects and bones only, not of shape keys, materials, lights and cameras</source>
         <translation>Animationen bleiben nur von Objekten und Knochen, nicht von Formschlüsseln, Materialien, Lichtern und Kameras</translation>
+    </message>
+    <message>
+        <source>Collada holds one animation: only the first is written</source>
+        <translation>Collada enthält eine Animation: nur die erste wird geschrieben</translation>
     </message>
 </context>
 <context>

@@ -333,7 +333,7 @@ ExportOptions exportOptions(const QString &format)
 {
     ExportOptions options;
     options.triangulate = format == QLatin1String("glb") || format == QLatin1String("gltf");
-    // Assimp cannot read back Collada files with animations.
+    // Assimp cannot read back its own Collada files with animations: withAnimations() writes them.
     options.animations = format != QLatin1String("dae");
     options.bindsAtParent = format == QLatin1String("dae");
     options.weighsAll = isGltfFormat(format);
@@ -356,6 +356,7 @@ SourceContents contentsOf(const AssimpSource &source)
     for (unsigned a = 0; a < from.mNumAnimations; ++a) {
         const aiAnimation &animation = *from.mAnimations[a];
         contents.animations = true;
+        contents.severalAnimations = a > 0;
         contents.otherAnimations |= animation.mNumMeshChannels + animation.mNumMorphMeshChannels > 0;
     }
     contents.lightsOrCameras = from.mNumLights > 0 || from.mNumCameras > 0;

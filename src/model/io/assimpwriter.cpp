@@ -2,6 +2,7 @@
 
 #include "model/io/assimpgltf.h"
 #include "model/io/assimpscene.h"
+#include "model/io/collada/colladaanimations.h"
 #include "model/io/gltf/gltffile.h"
 #include "model/io/gltf/gltfsource.h"
 #include "model/io/savefile.h"
@@ -51,7 +52,7 @@ QByteArray gltfBytes(const Scene &scene, const ExportScene &exported, const aiEx
     return jsonText(document.json, "{\n  \n");
 }
 
-//! What Assimp wrote as Collada, with the names of the UV sets, which it leaves out.
+//! What Assimp wrote as Collada, with what it leaves out: the names of the UV sets and an animation.
 QByteArray colladaBytes(const Scene &scene, const aiExportDataBlob &blob)
 {
     QByteArray text = bytesOf(blob).toByteArray();
@@ -63,6 +64,9 @@ QByteArray colladaBytes(const Scene &scene, const aiExportDataBlob &blob)
             text.replace(at, text.indexOf('"', at) - at, name);
         }
     }
+    if (const auto *source = dynamic_cast<const AssimpSource *>(scene.source.get()))
+        return QByteArray::fromStdString(
+            withAnimations({text.constData(), std::size_t(text.size())}, *source->scene));
     return text;
 }
 

@@ -93,9 +93,9 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
     }
     if (contents.instances)
         losses << LossTexts::tr("meshes that several nodes share become one copy per node, with its own UVs");
-    if (contents.animations && !exportOptions(format).animations)
-        losses << LossTexts::tr("animations are lost");
-    else if (contents.otherAnimations)
+    if (contents.severalAnimations && format == QLatin1String("dae"))
+        losses << LossTexts::tr("Collada holds one animation: only the first is written");
+    if (contents.otherAnimations)
         losses << LossTexts::tr(
             "animations are kept of objects and bones only, not of shape keys, materials, "
             "lights and cameras");

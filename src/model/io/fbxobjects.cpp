@@ -55,6 +55,7 @@ private:
     std::vector<QByteArray> mTextureKeys; //!< of FbxObjects::textures
     std::map<QByteArray, Entry> mEntries; //!< the first object of each key
     std::set<QByteArray> mCurveNodes;     //!< keys of animated values
+    int mStacks = 0;                      //!< number of animations
 };
 
 //! Version 6 calls the colour "Diffuse" as well.
@@ -74,6 +75,8 @@ void ObjectReader::readContents(std::string_view name, std::string_view kind, in
     contents.shapeKeys =
         contents.shapeKeys || kind == "BlendShape" || kind == "Shape" || mTree.child(node, "Shape") >= 0;
     contents.animations = contents.animations || name == "AnimationCurve";
+    if (name == "AnimationStack" && ++mStacks > 1)
+        contents.severalAnimations = true;
     contents.lightsOrCameras = contents.lightsOrCameras || kind == "Light" || kind == "Camera";
     mObjects.surfaces = mObjects.surfaces || kind == "NurbsSurface" || kind == "Nurb";
     mObjects.curves = mObjects.curves || kind == "NurbsCurve" || kind == "Line";

@@ -8,6 +8,7 @@ struct SourceContents
 {
     bool bones = false, shapeKeys = false, animations = false, lightsOrCameras = false,
          embeddedTextures = false, hierarchy = false;
+    bool severalAnimations = false;
     bool otherAnimations = false; //!< of more than the places of nodes: shape keys, materials, cameras
     bool instances = false;       //!< several objects share a mesh
     bool splitObjects = false;    //!< objects are one mesh for each of their materials

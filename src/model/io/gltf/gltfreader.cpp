@@ -290,6 +290,7 @@ GltfContents contentsOf(const Json &root)
         return used.is_array() && std::find(used.begin(), used.end(), extension) != used.end();
     };
     contents.animations = hasElements(root, "animations");
+    contents.severalAnimations = contents.animations && member(root, "animations").size() > 1;
     for (const Json &animation : member(root, "animations")) {
         for (const Json &channel : member(animation, "channels")) {
             const std::string path = textOf(member(channel, "target"), "path");

@@ -1,0 +1,16 @@
+// Animations of nodes in new Collada files, which Assimp's exporter writes in a way that nobody reads.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+struct aiScene;
+
+namespace autocuts {
+
+//! The text of a Collada file with the first animation of a scene: a matrix for each key of a node, and more
+//! where it turns far between two. Nodes are found by their names; those of skinned meshes, which bones
+//! place, are left out. \param text as Assimp writes it
+std::string withAnimations(std::string_view text, const aiScene &scene);
+
+} // namespace autocuts
