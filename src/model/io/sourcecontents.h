@@ -10,8 +10,8 @@ struct SourceContents
          embeddedTextures = false, hierarchy = false;
     bool severalAnimations = false;
     bool otherAnimations = false; //!< of more than the places of nodes: shape keys, materials, cameras
-    bool instances = false;    //!< several objects share a mesh
-    bool splitObjects = false; //!< objects are one mesh for each of their materials
+    bool instances = false;       //!< several objects share a mesh
+    bool splitObjects = false;    //!< objects are one mesh for each of their materials
 };
 
 } // namespace autocuts
