@@ -8,7 +8,8 @@ struct aiScene;
 namespace autocuts {
 
 //! Gives nodes, and what refers to them, the names that people see instead of those that only the file uses,
-//! UV sets those of their sources, and cameras their fields of view. \param text of the file; one that is not well formed changes nothing
+//! UV sets those of their sources, and cameras their fields of view. \param text of the file; one that is not
+//! well formed changes nothing
 void completeColladaNodes(aiScene &scene, std::string_view text);
 
 } // namespace autocuts
