@@ -1,8 +1,8 @@
 #include "model/io/assimpwriter.h"
 
+#include "model/io/assimpanimations.h"
 #include "model/io/assimpgltf.h"
 #include "model/io/assimpscene.h"
-#include "model/io/collada/colladaanimations.h"
 #include "model/io/gltf/gltffile.h"
 #include "model/io/gltf/gltfsource.h"
 #include "model/io/savefile.h"

@@ -1,4 +1,4 @@
-#include "model/io/collada/colladaanimations.h"
+#include "model/io/assimpanimations.h"
 
 #include "model/io/assimpmatrix.h"
 #include "model/io/collada/xmlspans.h"
