@@ -356,6 +356,19 @@ private Q_SLOTS:
         QVERIFY(!studio.context.workspace.isModified());
     }
 
+    void aModelThatWasClosedStaysClosed()
+    {
+        LinkedStudio studio;
+        LinkedProgram program(studio.place);
+        QVERIFY(program.enter(studio.place));
+        program.hand(meshMessage(cube(), 1, true));
+        studio.context.files.close();
+        QVERIFY(program.waitFor("left").fields().value("model"_L1).toString().isEmpty());
+        QCOMPARE(program.hand(meshMessage(bent(cube(), .1), 2, false)).type(), u"refused"_s);
+        QVERIFY(!studio.document());
+        QCOMPARE(how(program.hand(meshMessage(cube(), 3, true))), u"opened"_s);
+    }
+
     void strangersAreSentAway_data()
     {
         QTest::addColumn<QByteArray>("bytes");

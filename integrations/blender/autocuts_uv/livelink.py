@@ -226,6 +226,9 @@ class Session:
         uvs = message.arrays["uvs"]
         if np.isnan(uvs).all():
             return
+        if any(self._is_there(part) and not self._is_same(part) for part in self.parts):
+            self.dirty = True  # the mesh as it is now goes to the studio, and its map comes back
+            return
         self.notes += meshdata.write_uvs(self.parts, uvs)
         self._known.uvs = self._single(uvs, self._known.uvs)
         for part in self.parts:
@@ -243,6 +246,10 @@ class Session:
         item = bpy.data.objects.get(part.object_name)
         return item is not None and item.type == "MESH"
 
+    @staticmethod
+    def _is_same(part):
+        return meshdata.topology_of(meshdata.flushed_mesh(bpy.data.objects[part.object_name])) == part.topology
+
     def _take_marks(self, message):
         given = message.arrays
         nothing = np.empty((0, 2), np.int32)
@@ -250,12 +257,9 @@ class Session:
         pins, unpins = (np.asarray(given.get(name, ()), dtype=np.int64) for name in ("pins", "unpins"))
         faces = given.get("selection")
         for part, first_vertex, first_face in zip(self.parts, self._first_vertices, self._first_faces):
-            if not self._is_there(part):
+            if not self._is_there(part) or not self._is_same(part):
                 continue
             item = bpy.data.objects[part.object_name]
-            mesh = meshdata.flushed_mesh(item)
-            if meshdata.topology_of(mesh) != part.topology:
-                continue
             self._mark_edges(item, first_vertex, cuts, uncuts)
             own = [
                 corners[(corners >= part.first_corner) & (corners < part.first_corner + part.corner_count)]

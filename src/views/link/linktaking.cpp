@@ -123,7 +123,7 @@ void LinkTaking::takeFirst()
         takeUnchanged();
     else if (same)
         relink();
-    else if (handed.model.opens || !document)
+    else if (handed.model.opens)
         open();
     else
         refuse({tr("the studio has another model"), {}, 0, tr("Open this one in Autocuts again")});
