@@ -252,7 +252,8 @@ class CommandEngine:
                 os.close(end)
                 self._follow(process, terminal, progress)
             code = process.wait()
-        return code, progress.messages
+        # Stopped before the program listens to it.
+        return 130 if code == -signal.SIGINT else code, progress.messages
 
     def _follow(self, process, terminal, progress):
         import select
