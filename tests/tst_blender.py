@@ -721,6 +721,17 @@ class Jobs(BlenderTest):
         with self.assertRaisesRegex(engine.EngineError, "ended with 1"):
             engine.CommandEngine("false").run(engine.Request("pack", model), lambda share: True)
 
+    def test_stopped_before_the_program_listens(self):
+        model = meshdata.model_of(bpy.context, [add_cube()], meshdata.Taking())
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "interrupted")
+            with open(program, "w", encoding="utf-8") as file:
+                file.write("#!/bin/sh\nkill -INT $$\n")
+            os.chmod(program, 0o700)
+            outcome = engine.CommandEngine(program).run(engine.Request("pack", model), lambda share: True)
+        self.assertTrue(outcome.stopped)
+        self.assertIsNone(outcome.uvs)
+
     def test_time_of_handing_over(self):
         item = add_grid(224)
         self.assertEqual(len(item.data.polygons), 50176)
