@@ -386,6 +386,10 @@ class TakingOver(BlenderTest):
                 maps.append(uvs_of(item).copy())
                 self.assertTrue(np.allclose(maps[-1][chosen], uvs[chosen], atol=2e-6), kind)
             self.assertTrue(np.allclose(*maps, atol=1e-6))
+        PREFERENCES.engine = "AUTO"
+        api.set_uvs(layer, uvs)
+        self.assertEqual(bpy.ops.autocuts.unwrap(live=True), {"FINISHED"})
+        self.assertTrue(np.allclose(uvs_of(item)[chosen], uvs[chosen], atol=2e-6))
         bpy.ops.autocuts.pack(use_pins=False)
         self.assertGreater(np.abs(uvs_of(item)[chosen] - uvs[chosen]).max(), 0.1)
 
@@ -412,11 +416,13 @@ class TakingOver(BlenderTest):
         for members, side in ((left, -1), ([v.index for v in tube.data.vertices if v.co.x > 0], 1)):
             group.remove(list(range(48)))
             group.add(members, 1.0, "REPLACE")
-            bpy.ops.autocuts.unwrap(quality="draft", seam_group="Seams", seam_factor=100)
-            cut = np.flatnonzero(seams_in_map(tube))
-            self.assertEqual(len(cut), 1)
-            where = tube.data.vertices[tube.data.edges[cut[0]].vertices[0]].co.x
-            self.assertLess(where * side, 1e-6)
+            for kind in ("PROGRAM", "MODULE"):
+                PREFERENCES.engine = kind
+                bpy.ops.autocuts.unwrap(quality="draft", seam_group="Seams", seam_factor=100)
+                cut = np.flatnonzero(seams_in_map(tube))
+                self.assertEqual(len(cut), 1)
+                where = tube.data.vertices[tube.data.edges[cut[0]].vertices[0]].co.x
+                self.assertLess(where * side, 1e-6, kind)
 
     def test_scale_of_objects_counts(self):
         small, large = add_cube(), add_cube(location=(9, 0, 0))
