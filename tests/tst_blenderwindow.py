@@ -208,12 +208,17 @@ def edits_meanwhile():
     yield job_ended
     CHECK.assertFalse(np.array_equal(uvs(), before))
     CHECK.assertEqual(overlaps(), 0)
-    add("ico_sphere", subdivisions=3)
-    begin("unwrap")
-    within("VIEW_3D", bpy.ops.mesh.subdivide)
-    before = uvs()
-    yield job_ended
-    CHECK.assertTrue(np.array_equal(uvs(), before))
+    for live in (False, True):
+        add("ico_sphere", subdivisions=3)
+        begin("unwrap", live=live)
+        running = operators.BackgroundMixin.current
+        within("VIEW_3D", bpy.ops.mesh.subdivide)
+        before = uvs()
+        if live:
+            yield lambda: running._job.map_count > 0
+            press("ESC")
+        yield job_ended
+        CHECK.assertTrue(np.array_equal(uvs(), before))
 
 
 def another_file_ends_a_run():
