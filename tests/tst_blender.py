@@ -374,13 +374,22 @@ class TakingOver(BlenderTest):
         bpy.ops.autocuts.unwrap(quality="draft")
         layer = item.data.uv_layers.active
         uvs = uvs_of(item) * 0.5 + 0.25
-        api.set_uvs(layer, uvs)
         chosen = [corner for corner, loop in enumerate(item.data.loops) if loop.vertex_index in (0, 48)]
         for corner in chosen:
             layer.data[corner].pin_uv = True
         for call in (bpy.ops.autocuts.unwrap, bpy.ops.autocuts.pack):
-            self.assertEqual(call(), {"FINISHED"})
-            self.assertTrue(np.allclose(uvs_of(item)[chosen], uvs[chosen], atol=2e-6))
+            maps = []
+            for kind in ("MODULE", "PROGRAM"):
+                PREFERENCES.engine = kind
+                api.set_uvs(layer, uvs)
+                self.assertEqual(call(), {"FINISHED"})
+                maps.append(uvs_of(item).copy())
+                self.assertTrue(np.allclose(maps[-1][chosen], uvs[chosen], atol=2e-6), kind)
+            self.assertTrue(np.allclose(*maps, atol=1e-6))
+        PREFERENCES.engine = "AUTO"
+        api.set_uvs(layer, uvs)
+        self.assertEqual(bpy.ops.autocuts.unwrap(live=True), {"FINISHED"})
+        self.assertTrue(np.allclose(uvs_of(item)[chosen], uvs[chosen], atol=2e-6))
         bpy.ops.autocuts.pack(use_pins=False)
         self.assertGreater(np.abs(uvs_of(item)[chosen] - uvs[chosen]).max(), 0.1)
 
@@ -388,6 +397,12 @@ class TakingOver(BlenderTest):
         item = add_grid(8)
         right = [vertex.index for vertex in item.data.vertices if vertex.co.x > 0.1]
         item.vertex_groups.new(name="Detail").add(right, 1.0, "REPLACE")
+        maps = []
+        for kind in ("PROGRAM", "MODULE"):
+            PREFERENCES.engine = kind
+            bpy.ops.autocuts.unwrap(quality="draft", texel_group="Detail", texel_factor=3, max_distortion=4.5)
+            maps.append(uvs_of(item).copy())
+        self.assertTrue(np.array_equal(*maps))
         bpy.ops.autocuts.unwrap(quality="draft", texel_group="Detail", texel_factor=3, max_distortion=4.5)
         area = uv_area(item)
         centers = np.array([polygon.center.x for polygon in item.data.polygons])
@@ -401,11 +416,13 @@ class TakingOver(BlenderTest):
         for members, side in ((left, -1), ([v.index for v in tube.data.vertices if v.co.x > 0], 1)):
             group.remove(list(range(48)))
             group.add(members, 1.0, "REPLACE")
-            bpy.ops.autocuts.unwrap(quality="draft", seam_group="Seams", seam_factor=100)
-            cut = np.flatnonzero(seams_in_map(tube))
-            self.assertEqual(len(cut), 1)
-            where = tube.data.vertices[tube.data.edges[cut[0]].vertices[0]].co.x
-            self.assertLess(where * side, 1e-6)
+            for kind in ("PROGRAM", "MODULE"):
+                PREFERENCES.engine = kind
+                bpy.ops.autocuts.unwrap(quality="draft", seam_group="Seams", seam_factor=100)
+                cut = np.flatnonzero(seams_in_map(tube))
+                self.assertEqual(len(cut), 1)
+                where = tube.data.vertices[tube.data.edges[cut[0]].vertices[0]].co.x
+                self.assertLess(where * side, 1e-6, kind)
 
     def test_scale_of_objects_counts(self):
         small, large = add_cube(), add_cube(location=(9, 0, 0))
@@ -465,13 +482,27 @@ class Operators(BlenderTest):
         rng = np.random.default_rng(3)
         wavy = np.array([item.data.vertices[loop.vertex_index].co[:2] for loop in item.data.loops])
         wavy += 0.03 * rng.normal(size=(len(item.data.vertices), 2))[[loop.vertex_index for loop in item.data.loops]]
-        api.set_uvs(item.data.uv_layers.active, wavy @ turn * 0.2 + 0.5)
+        for kind in ("MODULE", "PROGRAM"):
+            PREFERENCES.engine = kind
+            api.set_uvs(item.data.uv_layers.active, wavy @ turn * 0.2 + 0.5)
+            self.assertEqual(bpy.ops.autocuts.straighten(), {"FINISHED"})
+            uvs = uvs_of(item)
+            for polygon in item.data.polygons:
+                corners = uvs[polygon.loop_start : polygon.loop_start + 4]
+                sides = np.abs(np.roll(corners, -1, axis=0) - corners)
+                self.assertLess(sides.min(axis=1).max(), 1e-4, kind)
+
+    def test_straighten_leaves_flipped_maps_to_the_program(self):
+        item = add_grid(4)
+        bpy.ops.autocuts.unwrap(quality="draft")
+        uvs = uvs_of(item) * [-1, 1] + [1, 0]
+        api.set_uvs(item.data.uv_layers.active, uvs)
+        PREFERENCES.engine = "MODULE"
+        with self.assertRaisesRegex(RuntimeError, "flipped triangles"):
+            bpy.ops.autocuts.straighten()
+        PREFERENCES.engine = "AUTO"
         self.assertEqual(bpy.ops.autocuts.straighten(), {"FINISHED"})
-        uvs = uvs_of(item)
-        for polygon in item.data.polygons:
-            corners = uvs[polygon.loop_start : polygon.loop_start + 4]
-            sides = np.abs(np.roll(corners, -1, axis=0) - corners)
-            self.assertLess(sides.min(axis=1).max(), 1e-4)
+        self.assertTrue((uv_area(item) > 0).all())
 
     def test_separate_and_pack_take_overlaps_away(self):
         item = add_cube()
@@ -590,10 +621,10 @@ class Operators(BlenderTest):
 
 
 class Jobs(BlenderTest):
-    def job(self, *items, **options_given):
+    def job(self, *items, live=False, **options_given):
         """A job of Unwrap on objects, and the parts that it is for."""
         model = meshdata.model_of(bpy.context, list(items), meshdata.Taking())
-        request = engine.Request("unwrap", model, options_given)
+        request = engine.Request("unwrap", model, options_given, live)
         chosen = engine.engine_for(request, operators.available_engines(bpy.context))
         return jobs.Job(lambda watch: chosen.run(request, watch)), model.parts
 
@@ -626,6 +657,40 @@ class Jobs(BlenderTest):
                 self.assertTrue(np.array_equal(uvs_of(bpy.context.object), before))
             else:
                 self.assertEqual(meshdata.write_uvs(parts, outcome.uvs), [])
+
+    def test_live_maps_until_it_is_stopped(self):
+        bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4)
+        item = bpy.context.object
+        before = uvs_of(item).copy()
+        job, parts = self.job(item, live=True)
+        while job.running and job.map_count < 2:
+            time.sleep(0.01)
+        self.assertTrue(job.running)
+        self.assertTrue(np.array_equal(uvs_of(item), before))
+        job.stop()
+        outcome = job.wait()
+        self.assertTrue(outcome.stopped)
+        # What was drawn last is what is written: each side once, at a seam or not.
+        drawn = np.concatenate([job.newest.seams, job.newest.inner])
+        sides = figures.map_lines(meshdata.values(item.data.polygons, "loop_total", np.int32), outcome.uvs)
+        self.assertEqual(sorted(drawn.reshape(-1, 4).tolist()), sorted(sides.reshape(-1, 4).tolist()))
+        self.assertEqual(meshdata.write_uvs(parts, outcome.uvs), [])
+        self.assertEqual(len(job.newest.seams), 2 * seams_in_map(item).sum())
+        found = self.measured(item)
+        self.assertEqual((found["overlapping_pairs"], found["flipped_triangles"]), (0, 0))
+
+    def test_live_maps_until_nothing_is_left_to_gain(self):
+        item = add_cube()
+        self.assertEqual(bpy.ops.autocuts.unwrap(live=True), {"FINISHED"})
+        found = self.measured(item)
+        self.assertEqual((found["overlapping_pairs"], found["flipped_triangles"]), (0, 0))
+        self.assertLess(found["distortion"], 4.1001)
+        PREFERENCES.engine = "PROGRAM"
+        with self.assertRaisesRegex(RuntimeError, "autocuts-cli does not know live maps"):
+            bpy.ops.autocuts.unwrap(live=True)
+        PREFERENCES.engine = "AUTO"
+        with self.assertRaisesRegex(RuntimeError, "live maps with mirror True"):
+            bpy.ops.autocuts.unwrap(live=True, mirror=True)
 
     def test_a_mesh_that_changed_is_not_written(self):
         changed, removed, kept, edited = (add_cube(location=(3 * i, 0, 0)) for i in range(4))
@@ -662,6 +727,17 @@ class Jobs(BlenderTest):
         with self.assertRaisesRegex(engine.EngineError, "ended with 1"):
             engine.CommandEngine("false").run(engine.Request("pack", model), lambda share: True)
 
+    def test_stopped_before_the_program_listens(self):
+        model = meshdata.model_of(bpy.context, [add_cube()], meshdata.Taking())
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "interrupted")
+            with open(program, "w", encoding="utf-8") as file:
+                file.write("#!/bin/sh\nkill -INT $$\n")
+            os.chmod(program, 0o700)
+            outcome = engine.CommandEngine(program).run(engine.Request("pack", model), lambda share: True)
+        self.assertTrue(outcome.stopped)
+        self.assertIsNone(outcome.uvs)
+
     def test_time_of_handing_over(self):
         item = add_grid(224)
         self.assertEqual(len(item.data.polygons), 50176)
@@ -689,6 +765,12 @@ class Jobs(BlenderTest):
 
 
 class Figures(BlenderTest):
+    def test_lines_run_around_each_face(self):
+        uvs = np.arange(14.0).reshape(7, 2)
+        lines = figures.map_lines(np.array([3, 4]), uvs)
+        self.assertEqual(lines[:, 0].tolist(), uvs.tolist())
+        self.assertEqual(lines[:, 1].tolist(), uvs[[1, 2, 0, 4, 5, 6, 3]].tolist())
+
     def test_stretch_is_that_of_the_engine(self):
         item = add_suzanne()
         item.modifiers.clear()

@@ -157,6 +157,36 @@ def escape_keeps_the_best_map():
     PREFERENCES.engine = "AUTO"
 
 
+def the_live_map():
+    """The newest map is drawn while it forms, in both modes; the mesh is untouched until Escape takes that map."""
+    for mode in ("OBJECT", "EDIT"):
+        add("ico_sphere", subdivisions=4)
+        within("VIEW_3D", bpy.ops.object.mode_set, mode=mode)
+        within("VIEW_3D", bpy.ops.ed.undo_push, message="Mode")
+        within("IMAGE_EDITOR", bpy.ops.image.view_all)
+        before = uvs()
+        begin("unwrap", live=True)
+        running = operators.BackgroundMixin.current
+        yield lambda: running._job.map_count > 1 and overlay._live
+        CHECK.assertIn("maps so far", running.status_text())
+        CHECK.assertTrue(np.array_equal(uvs(), before))
+        yield from picture(f"live_{mode.lower()}")
+        # The middle of the longest seam, of those drawn last.
+        seams = running._drawn.seams
+        longest = seams[np.argmax(np.linalg.norm(seams[:, 1] - seams[:, 0], axis=1))]
+        color = color_in_uv_editor(longest.mean(axis=0))
+        CHECK.assertGreater(color[0] - color[2], 0.3, (mode, color))
+        press("ESC")
+        yield job_ended
+        CHECK.assertEqual(overlay._live, [])
+        newest = running._job.newest
+        drawn = np.concatenate([newest.seams, newest.inner])[:, 0]
+        CHECK.assertTrue(np.allclose(np.sort(uvs(), axis=0), np.sort(drawn, axis=0), atol=1e-6))
+        CHECK.assertEqual(overlaps(), 0)
+        undo()
+        CHECK.assertTrue(np.array_equal(uvs(), before))
+
+
 def the_button_stops_too():
     add("ico_sphere", subdivisions=4)
     before = uvs()
@@ -178,12 +208,17 @@ def edits_meanwhile():
     yield job_ended
     CHECK.assertFalse(np.array_equal(uvs(), before))
     CHECK.assertEqual(overlaps(), 0)
-    add("ico_sphere", subdivisions=3)
-    begin("unwrap")
-    within("VIEW_3D", bpy.ops.mesh.subdivide)
-    before = uvs()
-    yield job_ended
-    CHECK.assertTrue(np.array_equal(uvs(), before))
+    for live in (False, True):
+        add("ico_sphere", subdivisions=3)
+        begin("unwrap", live=live)
+        running = operators.BackgroundMixin.current
+        within("VIEW_3D", bpy.ops.mesh.subdivide)
+        before = uvs()
+        if live:
+            yield lambda: running._job.map_count > 0
+            press("ESC")
+        yield job_ended
+        CHECK.assertTrue(np.array_equal(uvs(), before))
 
 
 def another_file_ends_a_run():
@@ -300,6 +335,7 @@ def everything():
     for case in (
         unwrap_in_both_modes,
         escape_keeps_the_best_map,
+        the_live_map,
         the_button_stops_too,
         edits_meanwhile,
         the_end_of_the_add_on_ends_a_run,

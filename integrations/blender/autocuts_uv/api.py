@@ -89,6 +89,11 @@ def preferences(context):
     return context.preferences.addons[__package__].preferences
 
 
+def uniform_color_shader():
+    """The shader for lines of one colour."""
+    return gpu.shader.from_builtin("2D_UNIFORM_COLOR" if bpy.app.version < (4, 0) else "UNIFORM_COLOR")
+
+
 def flat_color_shader():
     """The shader for coloured triangles; 3.x has its own names for the 2D ones."""
     return gpu.shader.from_builtin("2D_SMOOTH_COLOR" if bpy.app.version < (4, 0) else "SMOOTH_COLOR")

@@ -1,6 +1,7 @@
 """The engine behind one interface: the Python module autocuts, or the program autocuts-cli.
 
-Both give the same maps. The module knows fewer options; what it lacks goes to the program. Nothing here touches
+Both give the same maps, but of "align". The module knows fewer options; what it lacks goes to the program, which gives no
+live maps. Nothing here touches
 Blender's data, so that a job may run on a thread.
 """
 
@@ -16,7 +17,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import session
+from . import figures, session
 
 try:
     import pty
@@ -31,11 +32,13 @@ class EngineError(Exception):
 @dataclass
 class Request:
     """A job: a command of autocuts-cli, the Model it works on, and the options that differ from their defaults, named
-    as on the command line with _ in place of -."""
+    as on the command line with _ in place of -. live: by the live solver, which gives ever better maps. "align" is no
+    command of autocuts-cli: it turns islands to the axes and straightens them."""
 
     command: str
     model: object
     options: dict = field(default_factory=dict)
+    live: bool = False
 
 
 @dataclass
@@ -46,6 +49,14 @@ class Outcome:
     figures: dict = field(default_factory=dict)  # see FIGURES
     notes: list = field(default_factory=list)  # warnings, in words
     stopped: bool = False
+
+
+@dataclass
+class LiveMap:
+    """The newest map of a job that runs, as lines to be drawn: the UVs of both ends of edges."""
+
+    seams: np.ndarray  # (N, 2, 2) at seams and borders
+    inner: np.ndarray  # (M, 2, 2) all others
 
 
 # The figures of the module, and their names in the reports of the program.
@@ -65,6 +76,9 @@ _MODULE_PLAIN = {
     *("mirror", "align", "world_up", "texture_size", "margin", "tile_border", "keep_scale", "pack_time", "density"),
     "threads",
 }
+# What the live solver does not take.
+_NOT_LIVE = {"mirror", "world_up", "keep_scale", "density"}
+_LOOK = 0.1  # seconds between two looks at the live solver
 _MODULE_WORDS = {
     "rotation": {"none": "none", "free": "free", "15": 15, "30": 30, "45": 45, "90": 90, "180": 180},
 }
@@ -79,7 +93,10 @@ class ModuleEngine:
     """Jobs by the Python module, which works on this process's memory."""
 
     name = "Python module"
-    _calls = {"unwrap": "unwrap", "finish": "finish", "pack": "pack", "separate": "separate", "check": "take"}
+    _calls = {
+        **{command: command for command in ("unwrap", "finish", "pack", "separate", "align")},
+        "check": "take",
+    }
 
     def __init__(self, module):
         self._module = module
@@ -89,13 +106,13 @@ class ModuleEngine:
         model = request.model
         if request.command not in self._calls:
             return f"the command {request.command}"
-        if model.pins.any():
-            return "pins"
         if not model.scope.all():
             return "jobs on a part of a model"
-        if model.seam_weights is not None or model.texel_weights is not None:
-            return "weights"
+        if request.command == "align" and ("density" in request.options or figures.any_flipped(model)):
+            return "how to straighten at another density, or flipped triangles"
         for name, value in request.options.items():
+            if request.live and (name in _NOT_LIVE or value == "stack"):
+                return f"live maps with {name} {value}"
             if not (name in _MODULE_PLAIN or name in _MODULE_NAMES or value in _MODULE_WORDS.get(name, {})):
                 return f"{name} {value}"
         return ""
@@ -107,20 +124,66 @@ class ModuleEngine:
         return options
 
     def run(self, request, watch):
-        model = request.model
-        arguments = {"face_sizes": model.face_sizes, "objects": model.face_objects, "uvs": model.uvs}
-        if request.command != "check":
-            arguments["progress"] = watch
-        if request.command == "unwrap":
-            arguments["edges"] = model.cuts.astype(np.uint8)
-        call = getattr(self._module, self._calls[request.command])
         try:
-            made = call(model.positions, model.corners, **arguments, **self._options(request.options))
+            if request.live:
+                made, stopped = self._solve_live(request, watch)
+            else:
+                made = self._call(request, watch)
+                stopped = made.stopped
         except KeyboardInterrupt:
             return Outcome(stopped=True)
         except (ValueError, RuntimeError, MemoryError) as error:
             raise EngineError(str(error)) from error
-        return Outcome(np.array(made.uvs), made.measure(), [], made.stopped)
+        if made is None:
+            return Outcome(stopped=stopped)
+        return Outcome(np.array(made.uvs), made.measure(), self._notes(made.outcome), stopped)
+
+    @staticmethod
+    def _wishes(request):
+        model = request.model
+        wishes = {"face_sizes": model.face_sizes, "objects": model.face_objects, "texel_weights": model.texel_weights}
+        if request.command == "unwrap":
+            wishes.update(edges=model.cuts.astype(np.uint8), edge_weights=model.seam_weights)
+        pinned = np.flatnonzero(model.pins)
+        if len(pinned) and request.command != "check":
+            wishes["pins"] = np.column_stack([pinned, model.uvs[pinned]])
+        return wishes
+
+    def _call(self, request, watch):
+        model = request.model
+        watching = {} if request.command == "check" else {"progress": watch}
+        call = getattr(self._module, self._calls[request.command])
+        given = {**self._wishes(request), **watching, **self._options(request.options)}
+        return call(model.positions, model.corners, uvs=model.uvs, **given)
+
+    def _solve_live(self, request, watch):
+        """The last map of the live solver, None before there is one, and whether it was stopped before nothing was left
+        to gain."""
+        model = request.model
+        # Pins are at the scale of the map that is there.
+        uvs = model.uvs if model.pins.any() else None
+        mesh = self._module.Mesh(model.positions, model.corners, uvs=uvs, **self._wishes(request))
+        live = self._module.LiveSolve(mesh, **self._options(request.options))
+        made = None
+        while watch(None):
+            newest = live.wait(_LOOK)
+            if newest is not None:
+                made = newest
+                lines = figures.map_lines(model.face_sizes, made.uvs)
+                is_seam = made.seams.astype(bool)
+                watch(None, LiveMap(lines[is_seam], lines[~is_seam]))
+            elif live.rests:
+                return made, False
+        return made, True
+
+    @staticmethod
+    def _notes(outcome):
+        notes = []
+        if not outcome["within_bound"]:
+            notes.append("the distortion is above the bound")
+        if outcome["unmet_pins"]:
+            notes.append(f"{outcome['unmet_pins']:.0f} pins could not be reached")
+        return notes
 
 
 def command_words(options):
@@ -133,6 +196,10 @@ def command_words(options):
         elif value is not True:
             words.append(str(value))
     return words
+
+
+# What the program does for "align": it keeps the seams and solves the islands anew.
+_ALIGNING = {"seams": "only", "seams_from": "uv", "align": "on", "quality": "draft"}
 
 
 class _Progress:
@@ -168,9 +235,9 @@ class CommandEngine:
     def __init__(self, program):
         self._program = program
 
-    def lacks(self, _request):
-        """The program can do every job."""
-        return ""
+    def lacks(self, request):
+        """Why the program cannot do a job; empty when it can."""
+        return "live maps" if request.live else ""
 
     def call(self, words, watch, out=subprocess.DEVNULL):
         """Runs the program. Returns its exit code and its messages. out: a file for what it prints."""
@@ -185,7 +252,8 @@ class CommandEngine:
                 os.close(end)
                 self._follow(process, terminal, progress)
             code = process.wait()
-        return code, progress.messages
+        # Stopped before the program listens to it.
+        return 130 if code == -signal.SIGINT else code, progress.messages
 
     def _follow(self, process, terminal, progress):
         import select
@@ -208,7 +276,10 @@ class CommandEngine:
     def run(self, request, watch):
         with tempfile.TemporaryDirectory(prefix="autocuts_") as folder:
             model, made, report = (os.path.join(folder, name) for name in ("in.acproj", "out.acproj", "report.json"))
-            words = [request.command, model, *self._scope_words(request, model), *command_words(request.options)]
+            command, options = request.command, request.options
+            if command == "align":
+                command, options = "unwrap", {**options, **_ALIGNING}
+            words = [command, model, *self._scope_words(request, model), *command_words(options)]
             if request.command == "check":
                 with open(report, "wb") as out:
                     code, messages = self.call([*words, "--json"], watch, out)

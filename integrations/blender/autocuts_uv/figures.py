@@ -15,6 +15,31 @@ def fan_triangles(face_sizes):
     return np.stack([base, base + step + 1, base + step + 2], axis=1), face
 
 
+def map_lines(face_sizes, uvs):
+    """(C, 2, 2) UVs of both ends of each side, which runs from its corner to the next one of its face."""
+    following = np.arange(1, len(uvs) + 1)
+    ends = np.cumsum(face_sizes)
+    following[ends - 1] = ends - face_sizes
+    return np.stack([uvs, uvs[following]], axis=1)
+
+
+def any_flipped(model):
+    """Whether triangles of a map are turned over."""
+    triangles, _ = fan_triangles(model.face_sizes)
+    return bool((_areas(_sides(model.uvs[triangles])) < 0).any())
+
+
+def layout_scale(model):
+    """Length in the map of one unit of the solver, for which the whole mesh has the area pi; 1 without a map. Pins are at
+    that scale."""
+    triangles, _ = fan_triangles(model.face_sizes)
+    area = np.abs(_areas(_plane(model.positions[model.corners[triangles]])))
+    flat = np.abs(_areas(_sides(model.uvs[triangles])))
+    mapped = np.isfinite(flat)
+    of_map, of_mesh = flat[mapped].sum(), area[mapped].sum() * np.pi / max(area.sum(), 1e-300)
+    return float(np.sqrt(of_map / of_mesh)) if of_map > 0 and of_mesh > 0 else 1.0
+
+
 def _plane(points):
     """(T, 2, 2) sides of triangles in their planes. points: (T, 3, 3)."""
     a, b = points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]

@@ -4,11 +4,13 @@ import threading
 
 
 class Job:
-    """Runs a function on a thread: work(watch), where watch(share) takes a share from 0 to 1, or None when there is
-    none to tell, and returns False once the job is to stop with the best that it has."""
+    """Runs a function on a thread: work(watch), where watch(share, newest=None) takes a share from 0 to 1, or None when
+    there is none to tell, and the newest map, and returns False once the job is to stop with the best that it has."""
 
     def __init__(self, work):
         self.share = 0.0
+        self.newest = None  # the newest map, where the job gives any before it ends
+        self.map_count = 0  # of these maps
         self.result = None
         self.error = None
         self._stop = threading.Event()
@@ -21,9 +23,12 @@ class Job:
         except Exception as error:  # it is told on the main thread
             self.error = error
 
-    def _watch(self, share):
+    def _watch(self, share, newest=None):
         if share is not None:
             self.share = share
+        if newest is not None:
+            self.newest = newest
+            self.map_count += 1
         return not self._stop.is_set()
 
     def stop(self):

@@ -98,7 +98,7 @@ class MapOperator:
         given.update(self.fixed)
         if given.get("seams", "free") != "free" and "materials" in getattr(self, "seams_from", ()):
             model.cut_between_materials()
-        return engine.Request(self.command, model, given)
+        return engine.Request(self.command, model, given, getattr(self, "live", False))
 
     def work(self, context):
         """The job as a function for a thread, and the parts that its UVs are for."""
@@ -126,7 +126,7 @@ class MapOperator:
     def execute(self, context):
         try:
             work, parts = self.work(context)
-            return self.finish(parts, work(lambda share: True))
+            return self.finish(parts, work(lambda *_: True))
         except (Failure, engine.EngineError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -144,6 +144,7 @@ class BackgroundMixin:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         self._job = jobs.Job(work)
+        self._drawn = None
         self._timer = context.window_manager.event_timer_add(_TICK, window=context.window)
         self._workspace = context.workspace.name
         BackgroundMixin.current = self
@@ -156,6 +157,9 @@ class BackgroundMixin:
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
         self._show(context, self.status_text())
+        if self._job.newest is not self._drawn:
+            self._drawn = self._job.newest
+            overlay.show_live(self._drawn)
         if self._job.running:
             return {"PASS_THROUGH"}
         self._end(context)
@@ -178,6 +182,9 @@ class BackgroundMixin:
     def status_text(self):
         if self._job.stopping:
             return f"{self.progress_text}: stopping"
+        if getattr(self, "live", False):
+            count = _counted(self._job.map_count, "map")
+            return f"{self.progress_text}: {count} so far, Escape keeps the newest one"
         return f"{self.progress_text}: {self._job.share:.0%}, Escape stops with the best map so far"
 
     @property
@@ -203,6 +210,7 @@ class BackgroundMixin:
     def _end(self, context):
         context.window_manager.event_timer_remove(self._timer)
         BackgroundMixin.current = None
+        overlay.show_live(None)
         self._show(context, None)
 
 
@@ -218,7 +226,7 @@ class AUTOCUTS_OT_unwrap(BackgroundMixin, MapOperator, bpy.types.Operator):
     bl_label = "Unwrap"
     bl_options = {"REGISTER", "UNDO", "PRESET"}
     names = tuple(options.UNWRAP)
-    __annotations__ = _annotated(options.UNWRAP)
+    __annotations__ = _annotated(options.UNWRAP, options.LIVE)
 
 
 class AUTOCUTS_OT_unwrap_selected(BackgroundMixin, MapOperator, bpy.types.Operator):
@@ -275,8 +283,8 @@ class AUTOCUTS_OT_straighten(MappedOperator, bpy.types.Operator):
     bl_idname = "autocuts.straighten"
     bl_label = "Straighten"
     bl_options = {"REGISTER", "UNDO", "PRESET"}
+    command = "align"
     names = tuple(options.RESHAPE)
-    fixed = {"seams": "only", "seams_from": "uv", "align": "on", "quality": "draft"}
     __annotations__ = _annotated(options.RESHAPE, selected=_selected())
 
 

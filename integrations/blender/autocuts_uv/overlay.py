@@ -1,4 +1,4 @@
-"""Overlaps, stretch and texel density, drawn over the UV editor."""
+"""What is drawn over the UV editor: overlaps, stretch and texel density, and the map of a job that runs."""
 
 import bpy
 import gpu
@@ -13,8 +13,13 @@ _CLEAR = np.array([0.2, 0.6, 0.9, 0.12])
 _STRETCH_SPAN = np.log(2.0)  # of the energy over 4: that much is full red
 _DENSITY_SPAN = np.log(2.0)  # of the density over the median
 
+_SEAM_COLOR = (1.0, 0.45, 0.1, 1.0)
+_INNER_COLOR = (1.0, 1.0, 1.0, 0.2)
+_SEAM_WIDTH = 2  # pixels
+
 _handle = None
 _batch = None
+_live = []  # batches of lines, their colours and widths
 
 
 def _blend(share):
@@ -62,6 +67,23 @@ def update():
     if bpy.app.background:
         return
     _batch = _make_batch(bpy.context)
+    _redraw()
+
+
+def show_live(live_map):
+    """Draws the newest map of a job that runs; None when it has ended. The meshes are not touched."""
+    _live.clear()
+    if bpy.app.background:
+        return
+    shader = api.uniform_color_shader()
+    drawn = [] if live_map is None else [(live_map.inner, _INNER_COLOR, 1), (live_map.seams, _SEAM_COLOR, _SEAM_WIDTH)]
+    for lines, color, width in drawn:
+        points = lines.reshape(-1, 2).astype(np.float32)
+        _live.append((batch_for_shader(shader, "LINES", {"pos": points}), color, width))
+    _redraw()
+
+
+def _redraw():
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if area.type == "IMAGE_EDITOR":
@@ -74,17 +96,24 @@ def update_from_property(_settings, _context):
 
 
 def _draw():
-    if _batch is None or bpy.context.area.ui_type != "UV":
+    if (_batch is None and not _live) or bpy.context.area.ui_type != "UV":
         return
     view = bpy.context.region.view2d
     origin = view.view_to_region(0, 0, clip=False)
     far = view.view_to_region(1000, 1000, clip=False)
-    shader = api.flat_color_shader()
     gpu.state.blend_set("ALPHA")
     with gpu.matrix.push_pop():
         gpu.matrix.translate(origin)
         gpu.matrix.scale(((far[0] - origin[0]) / 1000, (far[1] - origin[1]) / 1000))
-        _batch.draw(shader)
+        if _batch is not None and not _live:
+            _batch.draw(api.flat_color_shader())
+        for batch, color, width in _live:
+            gpu.state.line_width_set(width)
+            shader = api.uniform_color_shader()
+            shader.bind()
+            shader.uniform_float("color", color)
+            batch.draw(shader)
+    gpu.state.line_width_set(1)
     gpu.state.blend_set("NONE")
 
 
@@ -97,6 +126,7 @@ def register():
 def unregister():
     global _handle, _batch
     _batch = None
+    _live.clear()
     if _handle:
         bpy.types.SpaceImageEditor.draw_handler_remove(_handle, "WINDOW")
         _handle = None

@@ -10,6 +10,8 @@ import zlib
 
 import numpy as np
 
+from . import figures
+
 _VERSION = 2
 _CUT = 1
 
@@ -108,7 +110,7 @@ def _uv_block(model):
     repeats[1:] = (bits[1:] == bits[:-1]).all(axis=1)
     return {
         "name": "UVMap",
-        "scale": 1.0,
+        "scale": figures.layout_scale(model),
         "repeats": np.packbits(repeats, bitorder="little").tobytes(),
         "u": packed(uvs[~repeats, 0], "<f8"),
         "v": packed(uvs[~repeats, 1], "<f8"),

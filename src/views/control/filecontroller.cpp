@@ -406,7 +406,7 @@ bool FileController::relinkTo(const QString &path, const ReadModel &read, const 
             } else if (const QString problem = linked->state.validate(); !problem.isEmpty()) {
                 ended(RelinkEnd::Failed, Error{problem, linked->state.scene.path, 0, {}});
             } else {
-                ended(RelinkEnd::Done, adoptRelinked(*linked));
+                ended(RelinkEnd::Done, adoptRelinked(linked.value()));
             }
         });
 }
