@@ -82,6 +82,7 @@ private Q_SLOTS:
     void ourOwnFilesCountForNothing();
     void aBrokenFile();
     void itIsExportedAgain();
+    void notBesideAnotherFile();
     void itWaitsForJobs();
     void itPausesASolve();
     void editsWhileTheFileIsRead();
@@ -188,6 +189,23 @@ void TestFileWatch::itIsExportedAgain()
     }
     QCOMPARE(watched.ended.count(), 2);
     QCOMPARE(watched.faces(), 4);
+}
+
+//! The user was asked about the neighbour of one file. That of another is not replaced.
+void TestFileWatch::notBesideAnotherFile()
+{
+    Watched watched({true, true});
+    const QString other = watched.folder.filePath(u"other.obj"_s);
+    const QString neighbour = watched.folder.filePath(u"other_uv.obj"_s);
+    saveInPlace(other, strip(3));
+    saveInPlace(neighbour, "# precious\n");
+    watched.desk.files.relink(other);
+    QVERIFY(watched.becomes(3));
+    QTRY_VERIFY(!watched.watch.choice().exports);
+    QVERIFY(watched.watch.choice().watches);
+    QFile file(neighbour);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), "# precious\n");
 }
 
 void TestFileWatch::itWaitsForJobs()

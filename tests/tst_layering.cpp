@@ -37,7 +37,7 @@ const std::vector<Layer> layers{
     {"api", {""}, {"model/plain", "model/transfer", "solver"}}, // but solver/live: see mayInclude()
     {"jobs", {""}, {"model", "solver"}},                        // but solver/live: see mayInclude()
     {"link", {""}, {"model"}},
-    {"cli", {"", "manyfiles", "program"}, {"model", "commands", "solver", "jobs", "link"}},
+    {"cli", {"", "manyfiles", "program"}, {"model", "commands", "solver", "jobs"}},
     // Only views/control may include solver/: see mayInclude().
     {"views",
      {"ui", "state", "gl", "control", "selecting", "canvas", "tools", "dialogs", "actions", "link", "panels",

@@ -13,6 +13,8 @@
 #include <QSignalSpy>
 #include <QTimer>
 
+#include <limits>
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::child;
@@ -143,6 +145,24 @@ private Q_SLOTS:
         QVERIFY(readBack(u"mine"_s).value() == jobs::MapSettings());
     }
 
+    void seedsAreKept_data()
+    {
+        QTest::addColumn<int>("seed");
+        for (const int seed : {0, 1'000'000, 2'000'000'000, std::numeric_limits<int>::max()})
+            QTest::addRow("%d", seed) << seed;
+    }
+    void seedsAreKept()
+    {
+        QFETCH(int, seed);
+        jobs::MapSettings settings;
+        settings.solve.seed = seed;
+        QVERIFY(savePreset(u"mine"_s, jobs::presetText(settings)));
+        const auto again = readBack(u"mine"_s);
+        QVERIFY2(again, qPrintable(again ? QString() : again.error().toString()));
+        QVERIFY(again.value() == settings);
+        QVERIFY(parseCommandLine(words("unwrap a -o b --preset mine")));
+    }
+
     //! The command line takes every setting that the window saves, and makes the same of it.
     void theCommandLineReadsTheSame()
     {
@@ -202,7 +222,7 @@ private Q_SLOTS:
     void badNamesAreRefused_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char *name : {"", "a/b", "..", ".hidden", "scan"})
+        for (const char *name : {"", "a/b", "a\\b", "..", ".hidden", "scan", "scan.preset"})
             QTest::addRow("'%s'", name) << QString::fromLatin1(name);
     }
     void badNamesAreRefused()

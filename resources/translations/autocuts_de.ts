@@ -2020,7 +2020,7 @@
         <translation>Animationen bleiben nur von Objekten und Knochen, nicht von Formschlüsseln, Materialien, Lichtern und Kameras</translation>
     </message>
     <message>
-        <source>Collada holds one animation: only the first is written</source>
+        <source>Only the first animation is written to Collada</source>
         <translation>Collada enthält eine Animation: nur die erste wird geschrieben</translation>
     </message>
 </context>
@@ -4955,6 +4955,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Saved %1 anew: the file was gone</source>
         <translation>%1 neu gespeichert: Die Datei war verschwunden</translation>
+    </message>
+    <message>
+        <source>what only the file before had, such as bones and animation, is not written again</source>
+        <translation>was nur die Datei davor hatte, etwa Knochen und Animation, wird nicht wieder geschrieben</translation>
     </message>
 </context>
 <context>

@@ -549,7 +549,7 @@ int runCommand(const CliOptions &given, StopSource &stop, bool onTerminal, QText
     };
     try {
         const int code = job.run();
-        if (const Result<Done> written = streams.give(); !written)
+        if (const Result<Done> written = streams.give(code == 0 && !options.dryRun); !written)
             return job.fail(written.error());
         return code;
     } catch (const std::bad_alloc &) {

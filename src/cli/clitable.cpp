@@ -9,6 +9,8 @@
 
 #include <QFileInfo>
 
+#include <limits>
+
 namespace autocuts {
 
 namespace {
@@ -299,7 +301,7 @@ std::vector<CliOption> makingOptions()
                      u"all cores"_s),
         number(Group::Limiting, u"--time-limit"_s, u"SECONDS"_s, fieldOf(&CliOptions::timeLimit), 0.001, 1e9,
                u"stop then and write the best map so far"_s),
-        integer(group, u"--seed"_s, fieldOf(&SolveSettings::seed), 0, 2'000'000'000,
+        integer(group, u"--seed"_s, fieldOf(&SolveSettings::seed), 0, std::numeric_limits<int>::max(),
                 u"seed of everything random: the same command gives the same bytes"_s),
     };
 }

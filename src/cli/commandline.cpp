@@ -284,7 +284,8 @@ private:
         if (const std::optional<QString> expected = option->read(mOptions, value))
             return usageError(QStringLiteral("%1 takes %2, not \"%3\"").arg(name, *expected, value));
         static const QStringList ofAllFiles{QStringLiteral("--progress"), QStringLiteral("--dry-run"),
-                                            QStringLiteral("--json"), QStringLiteral("--report")};
+                                            QStringLiteral("--json"), QStringLiteral("--report"),
+                                            QStringLiteral("--quiet")};
         if (option->group != OptionGroup::Batching && option->group != OptionGroup::Output &&
             !ofAllFiles.contains(name))
             mPassed << (option->value.isEmpty() ? name : name + QLatin1Char('=') + value);

@@ -32,8 +32,8 @@ std::vector<CliOption> generalOptions()
                      "not given, obj, and acproj for replay. Files beside it are not found"_s),
         suffixOption(group, u"--output-format"_s, fieldOf(&CliOptions::outputFormat),
                      u"format of what is written where -o names no file: - for standard output, which then "
-                     "takes one file, while the figures go to stderr, or the folder of several files; that "
-                     "of the input when not given"_s),
+                     "takes one file, while the figures go to stderr, or the folder of several files; when "
+                     "not given, that of each input, or obj or fbx where that cannot be written"_s),
         choice(group, u"--progress"_s, fieldOf(&CliOptions::jsonProgress),
                {{u"text"_s, false}, {u"json"_s, true}},
                u"how progress is said on stderr: for people, which is a line every ten seconds where that is "

@@ -56,11 +56,13 @@ Result<Done> StandardStreams::take(CliOptions &options)
     return Done{};
 }
 
-Result<Done> StandardStreams::give() const
+Result<Done> StandardStreams::give(bool isMade) const
 {
     QFile file(mOutput), stream;
-    if (!hasOutput() || !file.open(QIODevice::ReadOnly))
+    if (!hasOutput())
         return Done{};
+    if (!file.open(QIODevice::ReadOnly))
+        return isMade ? Result<Done>(problem(u"what was made cannot be read"_s, file)) : Done{};
     const QByteArray content = file.readAll();
     if (!stream.open(stdout, QIODevice::WriteOnly) || stream.write(content) != content.size() ||
         !stream.flush())

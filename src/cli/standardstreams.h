@@ -16,8 +16,8 @@ public:
     Result<Done> take(CliOptions &options);
     //! True when the output or the report is for standard output, which then takes nothing else.
     bool hasOutput() const { return !mOutput.isEmpty(); }
-    //! Writes what is for standard output there, if there is something.
-    Result<Done> give() const;
+    //! Writes what is for standard output there, if there is something. \param isMade there must be
+    Result<Done> give(bool isMade) const;
     //! A text for the user or a report, with the names of the streams in place of those of the files.
     QString named(QString text) const;
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace autocuts::jobs {
 
@@ -77,15 +78,19 @@ NamedSetting number(const QString &name, Field field, double low, double high)
                 bool ok = false;
                 const double read = std::is_integral_v<T> ? value.toInt(&ok) : value.toDouble(&ok);
                 if (!ok || !(read >= low && read <= high))
-                    return JobTexts::tr("a number from %1 to %2").arg(low).arg(high);
+                    return JobTexts::tr("a number from %1 to %2")
+                        .arg(QString::number(static_cast<T>(low)), QString::number(static_cast<T>(high)));
                 field(settings) = static_cast<T>(read);
                 return std::nullopt;
             },
             [field, low](const MapSettings &settings) -> std::optional<QString> {
-                const double value = field(settings);
+                const auto value = field(settings);
                 if (value < low) // the default of what is chosen by itself
                     return std::nullopt;
-                return QString::number(value, 'g', QLocale::FloatingPointShortest);
+                if constexpr (std::is_integral_v<std::decay_t<decltype(value)>>)
+                    return QString::number(value);
+                else
+                    return QString::number(value, 'g', QLocale::FloatingPointShortest);
             }};
 }
 
@@ -126,7 +131,7 @@ const std::vector<NamedSetting> &namedSettings()
         choice(u"align"_s, fieldOf(&SolveSettings::align)),
         onOff(u"mirror"_s, fieldOf(&SolveSettings::mirrorMaps)),
         choice(u"world-up"_s, fieldOf(&SolveSettings::worldUp)),
-        number(u"seed"_s, fieldOf(&SolveSettings::seed), 0, 2'000'000'000),
+        number(u"seed"_s, fieldOf(&SolveSettings::seed), 0, std::numeric_limits<int>::max()),
         {u"texture-size"_s, true,
          [](MapSettings &all, const QString &value) { return readTextureSize(all.packing, value); },
          [](const MapSettings &all) { return std::optional(textureSizeText(all.packing)); }},

@@ -6,6 +6,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QRegularExpression>
 #include <QStandardPaths>
 
 //! Resources of a static library have to be asked for; outside of any namespace.
@@ -101,7 +102,8 @@ Result<Preset> readPreset(const QString &preset)
 
 Result<Done> savePreset(const QString &name, const QString &text)
 {
-    if (name.isEmpty() || name.startsWith(u'.') || name.contains(u'/') || name.contains(u'\n'))
+    static const QRegularExpression notInNames(u"[/\\\\:\n]"_s);
+    if (name.isEmpty() || name.startsWith(u'.') || name.endsWith(suffix) || name.contains(notInNames))
         return Error{JobTexts::tr("\"%1\" cannot be the name of a file").arg(name),
                      {},
                      0,

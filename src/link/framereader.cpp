@@ -19,7 +19,7 @@ Result<std::optional<Message>> FrameReader::next()
         return std::optional<Message>();
     Result<Message> message =
         Message::decode(mBytes.sliced(frameHeadSize, fields), mBytes.sliced(frameHeadSize + fields, arrays));
-    mBytes.remove(0, end);
+    mBytes = mBytes.mid(end); // gives the memory of a large message back
     if (!message)
         return message.error();
     return std::optional(std::move(message).value());

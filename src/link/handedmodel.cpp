@@ -18,6 +18,7 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr qsizetype mostUvSets = 32; // chosen by hand
+
 std::vector<QString> namesIn(const QJsonValue &list)
 {
     std::vector<QString> names;

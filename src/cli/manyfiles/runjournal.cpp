@@ -107,16 +107,24 @@ Result<std::unique_ptr<QLockFile>> RunJournal::lock(const ManyChoice &choice, co
         lock->setStaleLockTime(0);
         return lock;
     };
-    const Error taken{u"another batch works in this folder"_s, folder, 0, u"Wait for it"_s};
+    const auto taken = [](const QLockFile &lock) {
+        qint64 process = 0;
+        QString host, program;
+        lock.getLockInfo(&process, &host, &program);
+        return Error{u"another batch works in this folder, on %1"_s.arg(host), lock.fileName(), 0,
+                     u"Wait for it, or remove this file if that batch has ended"_s};
+    };
     auto own = lockOf(u'.' + nameFor(choice) + u".lock"_s);
     if (!own->tryLock(soon))
-        return taken;
+        return taken(*own);
     const QString sameParts = u"-of-%1.lock"_s.arg(choice.parts);
     for (const QString &name :
          QDir(folder).entryList({u".autocuts-batch*.lock"_s}, QDir::Files | QDir::Hidden)) {
         const bool isOwn = name == QFileInfo(own->fileName()).fileName();
-        if (!isOwn && !name.endsWith(sameParts) && !lockOf(name)->tryLock(soon))
-            return taken;
+        if (isOwn || name.endsWith(sameParts))
+            continue;
+        if (const auto other = lockOf(name); !other->tryLock(soon))
+            return taken(*other);
     }
     return own;
 }

@@ -350,4 +350,13 @@ Relinked relinkDocument(const DocumentState &state, Scene newScene, const std::f
     return Carrier(state, std::move(newScene), stopped).run();
 }
 
+Scene withOwnColors(Scene handed, const Scene &own)
+{
+    if (own.mesh->faceStart == handed.mesh->faceStart && own.mesh->cornerVertex == handed.mesh->cornerVertex)
+        handed.cornerColors = own.cornerColors;
+    if (own.materialNames == handed.materialNames)
+        handed.materialColors = own.materialColors;
+    return handed;
+}
+
 } // namespace autocuts

@@ -60,4 +60,8 @@ struct Relinked
 Relinked relinkDocument(const DocumentState &state, Scene newScene,
                         const std::function<bool()> &stopped = {});
 
+//! A scene that another program handed over, with the colours of the own one, which it does not know, where
+//! both have the same polygons and materials.
+Scene withOwnColors(Scene handed, const Scene &own);
+
 } // namespace autocuts

@@ -21,8 +21,8 @@ namespace autocuts {
 
 namespace {
 
-//! Between two matrices programs take straight ways, which shrinks what turns. Chosen by hand: by less than 1
-//! %.
+//! Between two matrices programs take straight ways, which shrinks what turns: by less than 1 % for this
+//! angle. Chosen by hand.
 constexpr double farthestTurn = 0.25; //!< radians
 
 //! What a channel moves: "id of the node/sid of its matrix", by the name of the node.

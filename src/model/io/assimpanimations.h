@@ -1,4 +1,5 @@
-// Animations of nodes in new Collada files, which Assimp's exporter writes in a way that nobody reads.
+// Animations of nodes in new Collada files, which Assimp's exporter writes in a way that other programs
+// cannot read.
 #pragma once
 
 #include <string>

@@ -168,8 +168,11 @@ const aiScene *imported(Assimp::Importer &importer, const std::string &path, std
         scene = importedBlend(importer, path);
     else if (suffix == "x3d" || suffix == "xgl")
         scene = readText(withSpaceBehindCommas(asUtf8(contentOf(path))), suffix.c_str());
+    else if (const std::string xgl = suffix == "zgl" ? unzipped(contentOf(path)) : std::string();
+             !xgl.empty())
+        scene = readText(withSpaceBehindCommas(xgl), "xgl");
     else if (suffix == "zgl")
-        scene = readText(withSpaceBehindCommas(unzipped(contentOf(path))), "xgl");
+        return nullptr; // its contents are damaged
     else
         scene = importer.ReadFile(path, 0);
     if (!scene)

@@ -94,7 +94,7 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
     if (contents.instances)
         losses << LossTexts::tr("meshes that several nodes share become one copy per node, with its own UVs");
     if (contents.severalAnimations && format == QLatin1String("dae"))
-        losses << LossTexts::tr("Collada holds one animation: only the first is written");
+        losses << LossTexts::tr("Only the first animation is written to Collada");
     if (contents.otherAnimations)
         losses << LossTexts::tr(
             "animations are kept of objects and bones only, not of shape keys, materials, "

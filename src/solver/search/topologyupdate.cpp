@@ -13,24 +13,17 @@ void TopologyUpdate::update(CutState &state, std::span<const int> opened, std::s
     mSearch.resize(graph.triangleCount(), 0);
     mReached.resize(graph.triangleCount());
     mChartsChanged = false;
-    bool betweenCharts = false;
-    const auto isBetweenCharts = [&](int e) {
-        return state.chart[pairs[e].triangle[0]] != state.chart[pairs[e].triangle[1]];
-    };
     updateBoundary(state, opened, closed);
     splitCharts(state, opened);
     for (const int e : closed) {
         const auto [a, b] = pairs[e].triangle;
-        betweenCharts = betweenCharts || isBetweenCharts(e);
         if (state.chart[a] != state.chart[b])
             joinCharts(state, a, b);
     }
-    if (mChartsChanged)
+    if (mChartsChanged) {
         numberCharts(state);
-    for (const int e : opened)
-        betweenCharts = betweenCharts || isBetweenCharts(e);
-    if (mChartsChanged || betweenCharts)
         state.countSmallParts();
+    }
     state.updateCrooked();
 }
 

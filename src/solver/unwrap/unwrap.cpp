@@ -32,7 +32,7 @@ constexpr double sameSize = 1e-6; // islands of sizes that differ by this share 
 constexpr std::array boundShares{1.0, 0.8, 0.5};
 //! Time until maps are made ready for a stop, where nobody watches. Measured: they took a third of the CPU
 //! time of drafts that end after two to three seconds.
-constexpr std::chrono::milliseconds restBeforeFirstMap{2000};
+constexpr std::chrono::milliseconds restBeforeFirstMap{1000};
 constexpr auto timeAfterStop = std::chrono::milliseconds(100);
 constexpr auto timeOfShownMap = std::chrono::milliseconds(400);
 

@@ -376,7 +376,10 @@ void FileController::relink(const QString &meshPath, bool tellEdited)
 bool FileController::relinkHanded(const Scene &scene, const Taken &taken)
 {
     return relinkTo(
-        scene.path, [scene](const std::atomic<bool> &) { return scene; },
+        scene.path,
+        [scene, own = mWorkspace.document()->state().scene](const std::atomic<bool> &) {
+            return withOwnColors(scene, own);
+        },
         [taken](RelinkEnd, const Result<QStringList> &lost) { taken(lost); });
 }
 
@@ -393,30 +396,30 @@ bool FileController::relinkTo(const QString &path, const ReadModel &read, const 
             return relinkDocument(state, std::move(scene).value(), [&job] { return job.stop().load(); });
         },
         [this, ended, token = document->token()](const Result<Relinked> &linked) {
-            if (!linked) {
-                ended(RelinkEnd::Failed, linked.error());
-            } else if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing()) {
-                // A running solve counts as an edit that is not in the document yet.
-                ended(
-                    RelinkEnd::Edited,
-                    Error{
-                        tr("The model was not re-linked, because the session was edited while the model was "
-                           "read"),
-                        linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")});
-            } else if (const QString problem = linked->state.validate(); !problem.isEmpty()) {
-                ended(RelinkEnd::Failed, Error{problem, linked->state.scene.path, 0, {}});
-            } else {
-                ended(RelinkEnd::Done, adoptRelinked(linked.value()));
-            }
+            if (!linked)
+                return ended(RelinkEnd::Failed, linked.error());
+            const QString path = linked->state.scene.path;
+            // A running solve counts as an edit that is not in the document yet.
+            if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing())
+                return ended(RelinkEnd::Edited,
+                             Error{tr("The model was not re-linked, because the session was edited while the "
+                                      "model was read"),
+                                   path, 0, tr("Re-link it again and wait until it is read")});
+            if (const QString problem = linked->state.validate(); !problem.isEmpty())
+                return ended(RelinkEnd::Failed, Error{problem, path, 0, {}});
+            ended(RelinkEnd::Done, adoptRelinked(linked.value()));
         });
 }
 
 //! \returns what is lost \pre the document is in the state that was re-linked
 QStringList FileController::adoptRelinked(const Relinked &linked)
 {
+    const bool losesSource = mWorkspace.document()->state().scene.source && !linked.state.scene.source;
     pushCommand(std::make_unique<ReplaceModel>(*mWorkspace.document(), linked.state));
     const QString name = QFileInfo(linked.state.scene.path).fileName();
-    const QStringList lines = linked.report.lines();
+    QStringList lines = linked.report.lines();
+    if (losesSource)
+        lines << tr("what only the file before had, such as bones and animation, is not written again");
     if (lines.isEmpty()) {
         Q_EMIT done(tr("Re-linked to %1: everything was kept").arg(name));
         return lines;

@@ -54,6 +54,7 @@ void FileWatch::setChoice(const Choice &choice)
     if (choice == mChoice)
         return;
     mChoice = choice;
+    mExportPath = choice.exports ? exportPath() : QString();
     mExportDue = false;
     follow();
     Q_EMIT choiceChanged();
@@ -94,8 +95,10 @@ QString FileWatch::exportPath() const
 //! The document has another model, or the choice is another one.
 void FileWatch::follow()
 {
-    if (!mWorkspace.document())
+    if (!mWorkspace.document() && mChoice != Choice()) {
         mChoice = {};
+        Q_EMIT choiceChanged();
+    }
     const QString path = mChoice.watches ? modelPath(mWorkspace.document()) : QString();
     if (path == mPath)
         return;
@@ -143,8 +146,17 @@ void FileWatch::look()
         mRest.start();
     else if (isNew)
         mSolver.whenPaused([this] { relink(); });
-    else if (std::exchange(mExportDue, false) && !exportPath().isEmpty())
-        mFiles.exportMesh(exportPath());
+    else if (std::exchange(mExportDue, false))
+        exportAgain();
+}
+
+//! Writes the model again, unless that has another file by now, whose neighbour nobody was asked about.
+void FileWatch::exportAgain()
+{
+    if (exportPath() != mExportPath)
+        setChoice({mChoice.watches, false});
+    else if (!mExportPath.isEmpty())
+        mFiles.exportMesh(mExportPath);
 }
 
 void FileWatch::relink()

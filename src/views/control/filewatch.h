@@ -52,6 +52,7 @@ private:
     void lookSoon();
     void look();
     void relink();
+    void exportAgain();
     bool isIdle() const;
 
     Workspace &mWorkspace;
@@ -59,7 +60,8 @@ private:
     FileController &mFiles;
     const JobRunner &mJobs;
     Choice mChoice;
-    QString mPath; //!< that is watched; empty: none
+    QString mExportPath; //!< the exportPath() that the choice was made for
+    QString mPath;       //!< that is watched; empty: none
     FileStamp mKnown, mSeen;
     bool mExportDue = false;
     QFileSystemWatcher mWatcher;

@@ -11,7 +11,8 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr qint64 readAtOnce = 1 << 20; // bytes
+constexpr qint64 readAtOnce = 1 << 20;   // bytes
+constexpr qint64 mostToWrite = 16 << 20; // bytes; a program that does not read its answers is not read either
 // Milliseconds; both chosen by hand.
 constexpr int strangersPatience = 5000, farewellPatience = 1000;
 
@@ -27,10 +28,11 @@ LinkClient::LinkClient(QLocalSocket *socket, const QByteArray &token, const QStr
     connect(mSocket, &QLocalSocket::bytesWritten, this, [this] {
         if (isIdle())
             Q_EMIT drained();
+        read();
     });
     connect(mSocket, &QLocalSocket::disconnected, this, &LinkClient::left);
     mStranger.setSingleShot(true);
-    connect(&mStranger, &QTimer::timeout, this, [this] { end(u"no token was shown"_s); });
+    connect(&mStranger, &QTimer::timeout, this, [this] { end(link::linkError(u"no token was shown"_s)); });
     mStranger.start(strangersPatience);
     QMetaObject::invokeMethod(this, &LinkClient::read, Qt::QueuedConnection);
 }
@@ -60,11 +62,24 @@ void LinkClient::refuse(int serial, const Error &error)
     send(refused);
 }
 
-void LinkClient::end(const QString &reason)
+void LinkClient::end(const Error &reason)
 {
     if (mEnding)
         return;
-    refuse(0, link::linkError(reason));
+    refuse(0, reason);
+    close();
+}
+
+void LinkClient::leave()
+{
+    if (mEnding)
+        return;
+    send(link::Message(u"bye"_s));
+    close();
+}
+
+void LinkClient::close()
+{
     mEnding = true;
     mStranger.stop();
     // Goes on writing; what does not read is cut off.
@@ -80,10 +95,10 @@ void LinkClient::next()
 
 void LinkClient::read()
 {
-    while (!mBusy && !mEnding) {
+    while (!mBusy && !mEnding && mSocket->bytesToWrite() < mostToWrite) {
         const Result<std::optional<link::Message>> message = mReader.next();
         if (!message) {
-            end(message.error().message);
+            end(message.error());
         } else if (message.value()) {
             deal(*message.value());
         } else if (mSocket->bytesAvailable() > 0) {
@@ -111,11 +126,11 @@ void LinkClient::greet(const link::Message &hello)
 {
     const QJsonObject &fields = hello.fields();
     if (hello.type() != "hello"_L1 || fields.value("version"_L1).toInt() != link::protocolVersion) {
-        end(u"this studio speaks version %1 of the link"_s.arg(link::protocolVersion));
+        end(link::linkError(u"this studio speaks version %1 of the link"_s.arg(link::protocolVersion)));
         return;
     }
     if (!link::sameToken(fields.value("token"_L1).toString().toLatin1(), mToken)) {
-        end(u"the token is wrong"_s);
+        end(link::linkError(u"the token is wrong"_s));
         return;
     }
     mStranger.stop();

@@ -44,7 +44,9 @@ public:
     //! Writes as much as fits at once, for what ends now.
     void flush();
     //! Says why, and ends the connection.
-    void end(const QString &reason);
+    void end(const Error &reason);
+    //! Ends the connection because the user wants it.
+    void leave();
     //! The last message was dealt with: the next one may come.
     void next();
 
@@ -78,6 +80,7 @@ Q_SIGNALS:
     void left();
 
 private:
+    void close();
     void read();
     void deal(const link::Message &message);
     void greet(const link::Message &hello);

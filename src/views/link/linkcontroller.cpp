@@ -72,7 +72,7 @@ void LinkController::sendMap()
 void LinkController::endAll()
 {
     for (LinkClient *client : mServer.clients())
-        client->end(u"the user has ended the link"_s);
+        client->leave();
 }
 
 void LinkController::receive(LinkClient *client, const link::Message &message)
@@ -87,6 +87,10 @@ void LinkController::receive(LinkClient *client, const link::Message &message)
         takeTextures(*client, message);
     } else if (message.type() == "want"_L1) {
         const QString mode = message.fields().value("mode"_L1).toString();
+        if (mode != "live"_L1 && mode != "pause"_L1 && mode != "request"_L1) {
+            client->end(link::linkError(u"there is no mode \"%1\""_s.arg(mode)));
+            return;
+        }
         client->setMode(mode == "live"_L1    ? LinkMode::Live
                         : mode == "pause"_L1 ? LinkMode::Pause
                                              : LinkMode::Request);
@@ -95,7 +99,7 @@ void LinkController::receive(LinkClient *client, const link::Message &message)
         client->asks = true;
         client->wasLeft = false; // it is told again
     } else {
-        client->end(u"there are no messages \"%1\""_s.arg(message.type()));
+        client->end(link::linkError(u"there are no messages \"%1\""_s.arg(message.type())));
         return;
     }
     mSending.sendSoon();
@@ -134,7 +138,7 @@ void LinkController::takeMarks(LinkClient &client, const link::Message &message)
     const Result<link::MarkChanges> changes =
         link::MarkChanges::read(message, int(mesh.positions.rows()), mesh.cornerCount(), mesh.faceCount());
     if (!changes) {
-        client.end(changes.error().message);
+        client.end(changes.error());
         return;
     }
     shared.marks.apply(changes.value());

@@ -98,8 +98,8 @@ void LinkSending::sendTo(LinkClient &client)
     client.wasLeft = false;
     const SolverController &solver = mContext.solver;
     const Document &document = *mContext.workspace.document();
-    const LinkClient::Seen now{document.token(), document.selection().faces, solver.map(), solver.isRunning(),
-                               client.revision};
+    const LinkClient::Seen now{document.token(), document.selection().faces, solver.map(),
+                               solver.isRunning() || solver.isPausing(), client.revision};
     if (std::exchange(client.seen, now) == now && !client.asks)
         return;
     client.isSending = true;
@@ -124,7 +124,7 @@ void LinkSending::sendTo(LinkClient &client)
     };
     runOnPool(backgroundPool(), std::move(work), take, [to](const QString &problem) {
         if (to)
-            to->end(problem);
+            to->end(link::linkError(problem));
     });
 }
 

@@ -96,7 +96,7 @@ void LinkServer::takeConnection()
             [this, client](const link::Message &message) { Q_EMIT received(client, message); });
     connect(client, &LinkClient::left, this, [this, client] { forget(client); });
     if (mClients.size() > mostClients)
-        client->end(u"too many programs are linked"_s);
+        client->end({u"too many programs are linked"_s, {}, 0, u"End one of them"_s});
 }
 
 void LinkServer::forget(LinkClient *client)

@@ -7,6 +7,7 @@
 #include "views/link/linkmerging.h"
 #include "views/ui/pooltask.h"
 
+#include <QGuiApplication>
 #include <QJsonArray>
 
 #include <algorithm>
@@ -19,6 +20,13 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr int mostTries = 20; // of a re-link that edits overtake; chosen by hand
+constexpr int patience = 100; // milliseconds until a dialog or a drag is looked for again; chosen by hand
+
+//! True while a dialog may hold the document, or a drag changes it.
+bool userIsBusy()
+{
+    return QGuiApplication::modalWindow() || QGuiApplication::mouseButtons() != Qt::NoButton;
+}
 
 //! True when the scene is another state of the document's model.
 bool isSameModel(const Document &document, const Scene &scene)
@@ -28,29 +36,36 @@ bool isSameModel(const Document &document, const Scene &scene)
            std::ranges::find_first_of(own.objectNames, scene.objectNames) != own.objectNames.end();
 }
 
+//! True when two states of a model have the same polygons, objects and materials.
+bool isEqual(const Scene &own, const Scene &other)
+{
+    return own.mesh && own.objectNames == other.objectNames && own.materialNames == other.materialNames &&
+           own.faceMaterial == other.faceMaterial && samePolygons(*own.mesh, *other.mesh);
+}
+
 } // namespace
 
 LinkTaking::LinkTaking(const StudioContext &context, std::function<bool()> mayLeave, QObject *parent)
     : QObject(parent), mContext(context), mMayLeave(std::move(mayLeave))
 {
     mSoon.setSingleShot(true);
-    mSoon.setInterval(0);
     connect(&mSoon, &QTimer::timeout, this, &LinkTaking::proceed);
-    const auto soon = [this] { mSoon.start(); };
+    const auto soon = [this] { mSoon.start(0); };
     connect(&mContext.solver, &SolverController::stateChanged, this, soon);
     connect(&mContext.files.jobs(), &JobRunner::busyChanged, this, soon);
     connect(&mContext.map.jobs(), &JobRunner::busyChanged, this, soon);
+    connect(&mContext.workspace, &Workspace::documentReplaced, this, [this] { mRunAgain = false; });
 }
 
 void LinkTaking::take(LinkClient *client, const link::Message &message)
 {
     const Document *document = mContext.workspace.document();
-    auto work = [message, own = document ? document->state().scene.mesh : nullptr]() -> Result<Handed> {
+    auto work = [message, own = document ? document->state().scene : Scene()]() -> Result<Handed> {
         Result<link::HandedModel> model = link::readHandedModel(message);
         if (!model)
             return model.error();
-        const bool equal = own && samePolygons(*own, *model->scene.mesh);
-        return Handed{nullptr, std::move(model).value(), equal ? own : nullptr};
+        const bool equal = isEqual(own, model->scene);
+        return Handed{nullptr, std::move(model).value(), equal ? own.mesh : nullptr};
     };
     const QPointer<LinkTaking> self(this);
     const QPointer<LinkClient> from(client);
@@ -60,7 +75,7 @@ void LinkTaking::take(LinkClient *client, const link::Message &message)
     };
     runOnPool(backgroundPool(), std::move(work), std::move(add), [from](const QString &problem) {
         if (from)
-            from->end(problem);
+            from->end(link::linkError(problem));
     });
 }
 
@@ -69,7 +84,7 @@ void LinkTaking::add(const QPointer<LinkClient> &client, Result<Handed> handed)
     if (!client)
         return;
     if (!handed) {
-        client->end(handed.error().message);
+        client->end(handed.error());
         return;
     }
     mHanded.push_back(std::move(handed).value());
@@ -97,21 +112,26 @@ void LinkTaking::proceed()
     }
     if (mContext.files.jobs().isBusy() || mContext.map.jobs().isBusy())
         return;
+    if (userIsBusy()) {
+        mSoon.start(patience);
+        return;
+    }
     SolverController &solver = mContext.solver;
     if (mustPause(mHanded.front()) && (solver.isRunning() || solver.isPausing())) {
-        mRunAgain |= solver.isRunning();
+        mRunAgain |= solver.isRunning() && !solver.isLimited();
         solver.pauseAtOnce();
         return;
     }
     takeFirst();
 }
 
-//! A solve is not disturbed by what it has already.
+//! A solve is not disturbed by what it has already, nor by what will be refused.
 bool LinkTaking::mustPause(const Handed &handed) const
 {
     const Document *document = mContext.workspace.document();
-    const bool same = document && handed.equal == document->state().scene.mesh;
-    return !same || !handed.model.scene.uvSets.empty();
+    if (!document || !isSameModel(*document, handed.model.scene))
+        return handed.model.opens;
+    return handed.equal != document->state().scene.mesh || !handed.model.scene.uvSets.empty();
 }
 
 void LinkTaking::takeFirst()
@@ -153,7 +173,7 @@ void LinkTaking::relinked(const Result<QStringList> &lost, const StateToken &bef
         !mContext.workspace.isInState(before) || mContext.solver.isRunning() || mContext.solver.isPausing();
     mTaking = false;
     if (!lost && overtaken && mHanded.front().tries < mostTries) {
-        mSoon.start();
+        mSoon.start(0);
     } else if (!lost) {
         refuse(lost.error());
     } else {
@@ -164,19 +184,19 @@ void LinkTaking::relinked(const Result<QStringList> &lost, const StateToken &bef
 
 void LinkTaking::open()
 {
-    mRunAgain = false; // another model
     mAsking = true;
     const bool may = mMayLeave();
     mAsking = false;
     const link::HandedModel &model = mHanded.front().model;
     if (!mHanded.front().client) {
-        mSoon.start(); // it has gone while the user was asked
+        mSoon.start(0); // it has gone while the user was asked
         return;
     }
     if (!may) {
         refuse({tr("the user keeps the open session"), {}, 0, tr("Save or close it first")});
         return;
     }
+    mRunAgain = false; // another model
     mContext.map.jobs().abandon();
     const Result<Done> opened = mContext.files.adopt(
         model.scene, [&](DocumentState &state) { prepareMarks(state, *model.edges, model.marks); });
@@ -243,7 +263,7 @@ void LinkTaking::endFirst()
     if (LinkClient *client = mHanded.front().client)
         client->next();
     mHanded.pop_front();
-    mSoon.start();
+    mSoon.start(0);
 }
 
 } // namespace autocuts

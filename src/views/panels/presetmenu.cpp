@@ -50,8 +50,9 @@ void PresetMenu::fill(const Names &names)
     mNames = names;
     clear();
     delete mRemove; // clear() leaves menus
+    const auto shown = [](QString name) { return name.replace('&'_L1, "&&"_L1); };
     for (const QString &name : names.all)
-        connect(addAction(name), &QAction::triggered, this, [this, name] { choose(name); });
+        connect(addAction(shown(name)), &QAction::triggered, this, [this, name] { choose(name); });
     addSeparator();
     QAction *save = addAction(tr("&Save settings as preset..."));
     save->setObjectName("save"_L1);
@@ -60,7 +61,8 @@ void PresetMenu::fill(const Names &names)
     mRemove->setObjectName("remove"_L1);
     mRemove->setEnabled(!names.own.isEmpty());
     for (const QString &name : names.own)
-        connect(mRemove->addAction(name), &QAction::triggered, this, [this, name] { askAndRemove(name); });
+        connect(mRemove->addAction(shown(name)), &QAction::triggered, this,
+                [this, name] { askAndRemove(name); });
 }
 
 void PresetMenu::choose(const QString &name)
