@@ -13,7 +13,6 @@ without it, rows of several numbers are tuples in a list. docs/link.md describes
 
 import argparse
 import array
-import errno
 import json
 import os
 import select
@@ -31,7 +30,7 @@ except ImportError:
 
 VERSION = 1
 _HEAD = struct.Struct("<II")  # bytes of the fields, bytes of the arrays
-_MOST_FIELDS, _MOST_ARRAYS = 1 << 26, 1 << 30
+_MOST_FIELDS, _MOST_ARRAYS = 4 << 20, 1 << 30  # bytes; docs/link.md
 _AT_ONCE = 1 << 20  # bytes
 _CODES = {"i4": "i", "f4": "f", "f8": "d"}
 #: Per array that is sent: kind and columns.
@@ -366,7 +365,7 @@ class Link:
 
 
 def _gone(error):
-    return isinstance(error, (ConnectionRefusedError, FileNotFoundError)) or error.errno == errno.ECONNREFUSED
+    return isinstance(error, (ConnectionRefusedError, FileNotFoundError))
 
 
 def connect(model=None, program="Python", folder=None, timeout=10, any_model=True):

@@ -1,0 +1,101 @@
+"""The Python side of the live link by itself: what stands for a studio here is a few lines, so nothing has to be built."""
+
+import json
+import os
+import shutil
+import socket
+import struct
+import sys
+import tempfile
+import threading
+import types
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [
+    os.path.join(HERE, "support"),
+    os.path.join(HERE, "..", "python", "autocuts"),
+    os.path.join(HERE, "..", "integrations", "maya"),
+]
+import link
+
+LONG = 120  # seconds; much longer than anything takes
+
+
+class StandIn:
+    """A studio that welcomes or refuses each program, and keeps what it is sent."""
+
+    def __init__(self, folder, process, model="", refuses=False):
+        self.heard, self.refuses, self.model = [], refuses, model
+        self.path = os.path.join(folder, f"studio-{process}.json")
+        told = {"version": 1, "socket": self.path[:-5] + ".socket", "token": "0" * 64, "process": process, "model": model}
+        self._server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        self._server.bind(told["socket"])
+        self._server.listen()
+        with open(self.path, "w", encoding="utf-8") as file:
+            json.dump(told, file)
+        self._thread = threading.Thread(target=self._serve, daemon=True)
+        self._thread.start()
+
+    def _serve(self):
+        while True:
+            try:
+                program, _ = self._server.accept()
+            except OSError:
+                return
+            with program:
+                self._answer(program)
+
+    def _answer(self, program):
+        while len(head := program.recv(8, socket.MSG_WAITALL)) == 8:
+            fields, arrays = struct.unpack("<II", head)
+            data = program.recv(fields + arrays, socket.MSG_WAITALL)
+            message = link.decode(data[:fields], data[fields:])
+            self.heard.append(message)
+            if message.type == "hello" and self.refuses:
+                program.sendall(link.encode("refused", {"serial": 0, "reason": "No", "remedy": "Ask another"}, {}))
+            elif message.type == "hello":
+                program.sendall(link.encode("welcome", {"version": 1, "program": "Stand-in", "model": self.model}, {}))
+            elif message.type == "mesh":
+                taken = {"serial": message.fields["serial"], "how": "relinked", "lost": []}
+                program.sendall(link.encode("taken", taken, {}))
+
+    def end(self):
+        self._server.shutdown(socket.SHUT_RDWR)
+        self._server.close()
+        self._thread.join(LONG)
+
+
+class WithPlaces(unittest.TestCase):
+    """A folder of places of its own."""
+
+    def setUp(self):
+        runtime = tempfile.mkdtemp(prefix="link")
+        self.addCleanup(shutil.rmtree, runtime, True)
+        self.addCleanup(os.environ.update, {"XDG_RUNTIME_DIR": os.environ.get("XDG_RUNTIME_DIR", "")})
+        os.environ["XDG_RUNTIME_DIR"] = runtime
+        self.folder = link.user_folder()
+        os.mkdir(self.folder, 0o700)
+
+    def studio(self, *arguments, **more):
+        made = StandIn(self.folder, *arguments, **more)
+        self.addCleanup(made.end)
+        return made
+
+
+class Frames(unittest.TestCase):
+    def test_fields_have_at_most_4_mib(self):
+        """As in the studio."""
+        one, other = socket.socketpair()
+        self.addCleanup(one.close)
+        studio = link.Link.__new__(link.Link)
+        studio._socket, studio._in, studio._out, studio._kept, studio.serial = other, bytearray(), bytearray(), [], 0
+        other.setblocking(False)
+        one.sendall(struct.pack("<II", (4 << 20) + 1, 0))
+        with self.assertRaisesRegex(link.LinkError, "cannot be read"):
+            studio.poll()
+        self.assertFalse(studio.is_open)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
