@@ -97,5 +97,36 @@ class Frames(unittest.TestCase):
         self.assertFalse(studio.is_open)
 
 
+class Places(WithPlaces):
+    def killed(self, told_socket):
+        """The place of a studio that does not run."""
+        path = os.path.join(self.folder, "studio-7.json")
+        told = {"version": 1, "socket": told_socket, "token": "", "process": 7, "model": ""}
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(told, file)
+        return path
+
+    def test_a_folder_of_others(self):
+        """What others can write to is not believed."""
+        self.killed("nowhere")
+        self.assertEqual(len(link.places()), 1)
+        for mode in (0o770, 0o707, 0o750, 0o701):
+            os.chmod(self.folder, mode)
+            self.assertEqual(link.places(), [], oct(mode))
+        os.chmod(self.folder, 0o700)
+        self.assertEqual(len(link.places()), 1)
+
+    def test_only_the_place_is_removed(self):
+        """A file that a place names is the user's."""
+        kept = os.path.join(self.folder, "kept.blend")
+        for path in (kept, os.path.join(self.folder, "studio-7.socket")):
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("something")
+        self.killed(kept)
+        with self.assertRaisesRegex(link.LinkError, "No studio"):
+            link.connect()
+        self.assertEqual(os.listdir(self.folder), ["kept.blend"])
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -127,19 +127,28 @@ class Place:
         self.process, self.model = told["process"], told["model"]
 
     def forget(self):
-        """Removes what a studio that was killed has left behind."""
-        for path in (self.path, self.socket):
+        """Removes what a studio that was killed has left behind, by its own name: the file may say anything."""
+        for path in (self.path, self.path[:-5] + ".socket"):
             try:
                 os.remove(path)
             except OSError:
                 pass
 
 
+def _is_own(folder):
+    """True when only this user can write to a folder and read it, as the studio makes it."""
+    try:
+        found = os.stat(folder)
+    except OSError:
+        return False
+    return found.st_uid == os.getuid() and not found.st_mode & 0o077
+
+
 def places(folder=None):
-    """The places of all studios, also of those that were killed, the newest first."""
+    """The places of all studios, also of those that were killed, the newest first. None in a folder of others."""
     folder = folder or user_folder()
     found = []
-    for name in os.listdir(folder) if os.path.isdir(folder) else ():
+    for name in os.listdir(folder) if _is_own(folder) else ():
         if name.startswith("studio-") and name.endswith(".json"):
             try:
                 path = os.path.join(folder, name)
