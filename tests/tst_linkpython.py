@@ -128,5 +128,48 @@ class Places(WithPlaces):
         self.assertEqual(os.listdir(self.folder), ["kept.blend"])
 
 
+@unittest.skipIf(link.numpy is None, "no NumPy")
+class CommandLine(WithPlaces):
+    def handed(self, model, open_model):
+        """The UV sets that reach a studio that has open_model."""
+        mesh = types.SimpleNamespace(
+            positions=[(0, 0, 0), (1, 0, 0), (0, 1, 0)],
+            faces=[(0, 1, 2)],
+            uvs=[(0, 0), (1, 0), (0, 1)],
+            sizes=lambda: [3],
+            objects=None,
+            object_names=(),
+            materials=None,
+            material_names=(),
+        )
+        studio = self.studio(1, model=open_model)
+        with link.connect() as linked:
+            link._hand_file(linked, mesh, model)
+        return next(one for one in studio.heard if one.type == "mesh").fields["uvSets"]
+
+    def test_a_studio_that_has_the_file_keeps_its_map(self):
+        self.assertEqual(self.handed("chair.obj", os.path.abspath("chair.obj")), [])
+
+    def test_the_map_of_a_file_goes_to_another_studio(self):
+        self.assertEqual(self.handed("chair.obj", ""), ["UVMap"])
+
+    def test_the_studio_that_has_the_file_gets_it(self):
+        """Also where another one is newer."""
+        model = os.path.abspath("chair.obj")
+        chosen = self.studio(1, model=model)
+        other = self.studio(2, model="/table.obj")
+        os.utime(chosen.path, (1, 1))
+        os.utime(other.path, (2, 2))
+        package = types.ModuleType("autocuts")
+        package.Mesh = types.SimpleNamespace(load=lambda path: None)
+        self.addCleanup(sys.modules.pop, "autocuts")
+        sys.modules["autocuts"] = package
+        choice = types.SimpleNamespace(model="chair.obj", start=False, watch=None)
+        with self.assertRaises(AttributeError):  # there is no mesh
+            link._run(choice)
+        self.assertTrue(chosen.heard)
+        self.assertEqual(other.heard, [])
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

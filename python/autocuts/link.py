@@ -406,13 +406,15 @@ def start_studio(command=("autocuts",), folder=None, timeout=60, program="Python
 
 
 def _hand_file(studio, mesh, path):
-    """Hands a Mesh of the package over, as what the user wants to see."""
+    """Hands a Mesh of the package over, as what the user wants to see. A studio that has this file keeps its map."""
+    model = os.path.abspath(path)
+    is_there = studio.welcome.fields["model"] == model
     numbers = [] if mesh.objects is None else sorted(set(mesh.objects.tolist()))
     names = list(mesh.object_names) or [os.path.basename(path)]
     names += [f"object {number}" for number in range(len(names), max(numbers, default=0) + 1)]
     materials = mesh.materials if mesh.material_names else None
     studio.send_mesh(
-        os.path.abspath(path),
+        model,
         names,
         mesh.positions,
         mesh.sizes(),
@@ -420,7 +422,7 @@ def _hand_file(studio, mesh, path):
         mesh.objects,
         mesh.material_names,
         materials,
-        uv_sets=() if mesh.uvs is None else [("UVMap", mesh.uvs)],
+        uv_sets=() if is_there or mesh.uvs is None else [("UVMap", mesh.uvs)],
         open=True,
     )
     for line in studio.wait_for("taken").fields["lost"]:
@@ -431,7 +433,10 @@ def _run(choice):
     from autocuts import Mesh
 
     mesh = Mesh.load(choice.model)
-    studio = start_studio((choice.studio,), program="autocuts.link") if choice.start else connect(program="autocuts.link")
+    if choice.start:
+        studio = start_studio((choice.studio,), program="autocuts.link")
+    else:
+        studio = connect(os.path.abspath(choice.model), "autocuts.link")
     with studio:
         studio.want("live" if choice.watch == "live" else "pause")
         _hand_file(studio, mesh, choice.model)
