@@ -1,5 +1,6 @@
 """The Python side of the live link by itself: what stands for a studio here is a few lines, so nothing has to be built."""
 
+import contextlib
 import json
 import os
 import shutil
@@ -23,10 +24,11 @@ LONG = 120  # seconds; much longer than anything takes
 
 
 class StandIn:
-    """A studio that welcomes or refuses each program, and keeps what it is sent."""
+    """A studio that welcomes each program, refuses it or says nothing, and keeps what it is sent."""
 
-    def __init__(self, folder, process, model="", refuses=False):
-        self.heard, self.refuses, self.model = [], refuses, model
+    def __init__(self, folder, process, model="", refuses=False, silent=False):
+        self.heard, self.model = [], model
+        self.refuses, self.silent = refuses, silent
         self.path = os.path.join(folder, f"studio-{process}.json")
         told = {"version": 1, "socket": self.path[:-5] + ".socket", "token": "0" * 64, "process": process, "model": model}
         self._server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -43,7 +45,7 @@ class StandIn:
                 program, _ = self._server.accept()
             except OSError:
                 return
-            with program:
+            with program, contextlib.suppress(OSError):  # it may have gone
                 self._answer(program)
 
     def _answer(self, program):
@@ -52,6 +54,8 @@ class StandIn:
             data = program.recv(fields + arrays, socket.MSG_WAITALL)
             message = link.decode(data[:fields], data[fields:])
             self.heard.append(message)
+            if self.silent:
+                continue
             if message.type == "hello" and self.refuses:
                 program.sendall(link.encode("refused", {"serial": 0, "reason": "No", "remedy": "Ask another"}, {}))
             elif message.type == "hello":
@@ -126,6 +130,29 @@ class Places(WithPlaces):
         with self.assertRaisesRegex(link.LinkError, "No studio"):
             link.connect()
         self.assertEqual(os.listdir(self.folder), ["kept.blend"])
+
+    def test_a_studio_that_refuses_is_passed_over(self):
+        newest = self.studio(2, refuses=True)
+        studio = self.studio(1)
+        os.utime(studio.path, (1, 1))
+        with link.connect() as linked:
+            self.assertEqual(linked.place.process, 1)
+        self.assertTrue(newest.heard)
+
+    def test_all_studios_refuse(self):
+        self.studio(2, refuses=True)
+        with self.assertRaisesRegex(link.LinkError, "No. Ask another."):
+            link.connect()
+
+    def test_a_studio_that_starts(self):
+        """It may listen before it answers."""
+        process = types.SimpleNamespace(pid=3)
+        self.assertIsNone(link.started_studio(process))
+        silent = self.studio(3, silent=True)
+        self.assertIsNone(link.started_studio(process, timeout=0.01))
+        silent.silent = False
+        with link.started_studio(process) as linked:
+            self.assertIs(linked.process, process)
 
 
 @unittest.skipIf(link.numpy is None, "no NumPy")

@@ -46,6 +46,10 @@ class LinkError(Exception):
     """The studio is not there, refuses, or sends what cannot be read. The text is for the user."""
 
 
+class NoAnswer(LinkError):
+    """The studio is there, and has said nothing in time."""
+
+
 class Message:
     """What came over the link: its type, its fields and its arrays by name."""
 
@@ -370,7 +374,7 @@ class Link:
             if self._socket is None:
                 raise LinkError("The link to the studio has ended. Open the model in Autocuts again.")
             if time.monotonic() >= until:
-                raise LinkError(f"The studio did not answer within {timeout} s.")
+                raise NoAnswer(f"The studio did not answer within {timeout} s.")
 
 
 def _gone(error):
@@ -379,16 +383,33 @@ def _gone(error):
 
 def connect(model=None, program="Python", folder=None, timeout=10, any_model=True):
     """Links to the studio that has this model open; else to one without a model; else to the newest one, or to none
-    without any_model. Places of studios that were killed are removed. Raises LinkError when there is none."""
+    without any_model. Places of studios that were killed are removed. `timeout` is for each studio; one that refuses is
+    passed over. Raises LinkError when there is none."""
     found = [place for place in places(folder) if any_model or place.model in ("", model)]
     found.sort(key=lambda place: 0 if model and place.model == model else 1 if not place.model else 2)
+    refusal = None
     for place in found:
         try:
             return Link(place, program, timeout)
+        except LinkError as error:
+            refusal = refusal or error
         except OSError as error:
             if _gone(error):
                 place.forget()
-    raise LinkError("No studio of Autocuts runs. Start it, and let other programs in (Preferences).")
+    raise refusal or LinkError("No studio of Autocuts runs. Start it, and let other programs in (Preferences).")
+
+
+def started_studio(process, program="Python", folder=None, timeout=10):
+    """Links to the studio that was started as this process. None while it does not listen, or is too busy to answer."""
+    for place in places(folder):
+        if place.process == process.pid:
+            try:
+                studio = Link(place, program, timeout)
+            except NoAnswer:
+                return None
+            studio.process = process
+            return studio
+    return None
 
 
 def start_studio(command=("autocuts",), folder=None, timeout=60, program="Python"):
@@ -396,11 +417,9 @@ def start_studio(command=("autocuts",), folder=None, timeout=60, program="Python
     process = subprocess.Popen(list(command), stdin=subprocess.DEVNULL)
     until = time.monotonic() + timeout
     while time.monotonic() < until and process.poll() is None:
-        for place in places(folder):
-            if place.process == process.pid:
-                studio = Link(place, program, timeout)
-                studio.process = process
-                return studio
+        studio = started_studio(process, program, folder, timeout)
+        if studio is not None:
+            return studio
         time.sleep(0.05)
     raise LinkError("The studio has not started. Start it yourself and try again.")
 
