@@ -247,7 +247,7 @@ class Studios(unittest.TestCase):
         os.chmod(solving, 0o700)
         scene.selection = ["|one", "|two"]
         autocuts_maya.open_in_autocuts(studio=solving)
-        process = autocuts_maya._session.link.process
+        process = autocuts_maya._session.process
         self.processes.append(process)
         mesh = scene.meshes[second]
         self.maya_until(lambda: mesh.us)

@@ -19,6 +19,10 @@ sys.path[:0] = [
     os.path.join(HERE, "..", "integrations", "maya"),
 ]
 import link
+import mayastandin
+
+mayastandin.install()
+import autocuts_maya
 
 LONG = 120  # seconds; much longer than anything takes
 
@@ -36,8 +40,7 @@ class StandIn:
         self._server.listen()
         with open(self.path, "w", encoding="utf-8") as file:
             json.dump(told, file)
-        self._thread = threading.Thread(target=self._serve, daemon=True)
-        self._thread.start()
+        threading.Thread(target=self._serve, daemon=True).start()
 
     def _serve(self):
         while True:
@@ -67,7 +70,6 @@ class StandIn:
     def end(self):
         self._server.shutdown(socket.SHUT_RDWR)
         self._server.close()
-        self._thread.join(LONG)
 
 
 class WithPlaces(unittest.TestCase):
@@ -196,6 +198,104 @@ class CommandLine(WithPlaces):
             link._run(choice)
         self.assertTrue(chosen.heard)
         self.assertEqual(other.heard, [])
+
+
+class StandInLink:
+    """A link on which messages come by hand."""
+
+    def __init__(self):
+        self.coming, self.meshes, self.marks, self.requests = [], [], [], 0
+        self.serial, self.is_open = 0, True
+
+    def come(self, kind, fields=None, arrays=None):
+        self.coming.append(link.Message(kind, fields or {}, arrays or {}))
+
+    def poll(self):
+        coming, self.coming = self.coming, []
+        return coming
+
+    def want(self, mode):
+        self.mode = mode
+
+    def request(self):
+        self.requests += 1
+
+    def send_mesh(self, *arguments, **more):
+        self.serial += 1
+        self.meshes.append((arguments, more))
+
+    def send_marks(self, **changes):
+        self.marks.append(changes)
+
+    def send_textures(self, materials):
+        pass
+
+    def close(self):
+        self.is_open = False
+
+
+class Maya(WithPlaces):
+    def setUp(self):
+        super().setUp()
+        self.scene = mayastandin.scene
+        self.scene.__init__()
+        self.path = "|one|oneShape"
+        self.mesh = mayastandin.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [4], [0, 1, 2, 3])
+        self.scene.meshes[self.path] = self.mesh
+        self.scene.selection = ["|one"]
+        self.link = StandInLink()
+        self.addCleanup(autocuts_maya.end_link)
+
+    def open(self):
+        self.addCleanup(setattr, link, "connect", link.connect)
+        link.connect = lambda *_arguments, **_more: self.link
+        autocuts_maya.open_in_autocuts()
+        self.link.come("taken", {"lost": []})
+        self.scene.run_timers()
+
+    def test_a_map_of_other_polygons_is_not_written(self):
+        """The same number of corners, in another order."""
+        self.open()
+        self.mesh.corners = [1, 2, 3, 0]
+        self.mesh.us, self.mesh.vs, self.mesh.counts, self.mesh.ids = [0.5], [0.25], [4], [0] * 4
+        self.link.come("maps", {}, {"uvs": [(0, 0), (1, 0), (1, 1), (0, 1)]})
+        self.scene.run_timers()
+        self.assertEqual((self.mesh.us, self.mesh.ids), ([0.5], [0] * 4))
+        self.assertEqual(len(self.link.meshes), 2)  # it is handed over as it is now
+
+    def test_a_mesh_that_is_gone_ends_the_link(self):
+        self.open()
+        del self.scene.meshes[self.path]
+        self.link.come("maps", {}, {"uvs": [(0, 0), (1, 0), (1, 1), (0, 1)]})
+        self.scene.run_timers()
+        self.assertIn("Error: Autocuts: the link has ended", self.scene.said[-1])
+        self.assertEqual((self.scene.timers, self.link.is_open), ({}, False))
+
+    def test_a_studio_is_not_waited_for(self):
+        """Another program stands for a studio that takes long to start."""
+        slow = os.path.join(self.folder, "slow")
+        with open(slow, "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\nexec sleep 1000\n")
+        os.chmod(slow, 0o700)
+        autocuts_maya.open_in_autocuts(mode="pause", studio=slow)
+        process = autocuts_maya._session.process
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        self.scene.run_timers()
+        autocuts_maya.set_mode("live")
+        studio = self.studio(process.pid)
+        self.scene.run_timers()
+        autocuts_maya._session.link.wait_for("taken", LONG)
+        self.assertEqual([one.fields["mode"] for one in studio.heard if one.type == "want"], ["live"])
+
+    def test_a_studio_that_does_not_start(self):
+        autocuts_maya.open_in_autocuts(studio="true")
+        autocuts_maya._session.process.wait(LONG)
+        self.scene.run_timers()
+        self.assertIn("did not start", self.scene.said[-1])
+        self.assertEqual(self.scene.timers, {})
+        autocuts_maya.open_in_autocuts(studio=os.path.join(self.folder, "missing"))
+        self.assertIn("missing", self.scene.said[-1])
 
 
 if __name__ == "__main__":
