@@ -1,6 +1,7 @@
 """The Python side of the live link by itself: what stands for a studio here is a few lines, so nothing has to be built."""
 
 import contextlib
+import importlib
 import json
 import os
 import shutil
@@ -11,6 +12,7 @@ import tempfile
 import threading
 import types
 import unittest
+import unittest.mock
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [
@@ -296,6 +298,76 @@ class Maya(WithPlaces):
         self.assertEqual(self.scene.timers, {})
         autocuts_maya.open_in_autocuts(studio=os.path.join(self.folder, "missing"))
         self.assertIn("missing", self.scene.said[-1])
+
+
+def blender_module():
+    """The link of the add-on, with a Blender that has nothing; None without NumPy."""
+    if link.numpy is None:
+        return None
+    for name in ("bmesh", "bpy", "gpu"):
+        sys.modules[name] = unittest.mock.MagicMock()
+    sys.modules["bpy"].app.handlers.persistent = lambda function: function
+    package = types.ModuleType("autocuts_uv")
+    package.__path__ = [os.path.join(HERE, "..", "integrations", "blender", "autocuts_uv")]
+    sys.modules.update({"autocuts_uv": package, "autocuts_uv.link": link})
+    return importlib.import_module("autocuts_uv.livelink")
+
+
+livelink = blender_module()
+
+
+@unittest.skipIf(livelink is None, "no NumPy")
+class Blender(unittest.TestCase):
+    """What the link decides; tst_blenderlink.py shows it in Blender."""
+
+    def setUp(self):
+        """A mesh of one triangle that was handed over, with a map."""
+        self.link = StandInLink()
+        self.uvs = link.numpy.array([(0, 0), (1, 0), (0, 1)], dtype=float)
+        self.written = []
+        self.part = livelink.meshdata.Part("One", "UVMap", 0, 3, b"")
+        self.model = types.SimpleNamespace(
+            parts=[self.part], uvs=self.uvs, names=["One"], materials=[], face_materials=None, face_objects=None
+        )
+        for place, name, made in (
+            (livelink.Session, "_objects", lambda _session: [unittest.mock.MagicMock()]),
+            (livelink.Session, "_model", lambda _session: self.model),
+            (livelink.Session, "_described", staticmethod(lambda model: b"")),
+            (livelink.Session, "_is_same", staticmethod(lambda part: True)),
+            (livelink.Session, "_is_there", lambda _session, part: True),
+            (livelink.Session, "_marks_of", lambda _session, model: (link.numpy.zeros(0, int),) * 2 + (None,)),
+            (livelink.meshdata, "write_uvs", self.write),
+            (livelink.link, "connect", lambda *_arguments, **_more: self.link),
+        ):
+            patch = unittest.mock.patch.object(place, name, made)
+            patch.start()
+            self.addCleanup(patch.stop)
+        for name in ("positions", "corners", "face_sizes"):
+            setattr(self.model, name, None)
+        livelink.current = self.session = livelink.Session([unittest.mock.MagicMock()], "live", "studio")
+        self.addCleanup(livelink.end)
+        self.session._looked = -LONG
+
+    def write(self, parts, uvs):
+        self.written.append(uvs)
+        self.model.uvs = uvs
+        return []
+
+    def taken(self, how="opened"):
+        self.link.come("taken", {"lost": [], "how": how})
+        self.session.tick()
+
+    def map_comes(self, uvs, name="UVMap", solving=False):
+        self.link.come("maps", {"uvSet": name, "solving": solving}, {"uvs": uvs})
+        self.session.tick()
+
+    def test_pins_that_cannot_be_written_are_not_known(self):
+        """Else they would be removed in the studio."""
+        for written, known in ((False, []), (True, [1])):
+            with unittest.mock.patch.object(livelink.api, "change_pins", return_value=written):
+                self.link.come("marks", {}, {"pins": [1], "pinUvs": [(0, 0)]})
+                self.session.tick()
+            self.assertEqual(self.session._known.pins.tolist(), known)
 
 
 if __name__ == "__main__":

@@ -267,14 +267,19 @@ class Session:
                 for corners in (pins, unpins)
             ]
             if len(own[0]) or len(own[1]):
-                api.change_pins(item, part.uv_name, *own)
+                self._change_pins(part, item, *own)
             if faces is not None and item.mode == "EDIT":
                 _select_faces(item, np.asarray(faces) - first_face)
         known = self._known
         known.cuts = np.union1d(np.setdiff1d(known.cuts, uncuts), cuts)
-        known.pins = np.union1d(np.setdiff1d(known.pins, unpins), pins)
         if faces is not None:
             known.faces = np.asarray(faces)
+
+    def _change_pins(self, part, item, pins, unpins):
+        """Only pins that are in Blender are known: others would be taken for removed here."""
+        if api.change_pins(item, part.uv_name, pins, unpins):
+            kept = np.setdiff1d(self._known.pins, unpins + part.first_corner)
+            self._known.pins = np.union1d(kept, pins + part.first_corner)
 
     def _take_textures(self, message):
         for told in message.fields["materials"]:
