@@ -369,6 +369,22 @@ class Blender(unittest.TestCase):
                 self.session.tick()
             self.assertEqual(self.session._known.pins.tolist(), known)
 
+    def test_an_error_ends_the_link(self):
+        """The timer ends with it."""
+        self.link.come("maps")  # without UVs
+        with self.assertRaises(KeyError):
+            livelink._tick()
+        self.assertEqual((self.session.is_open, self.session.text), (False, "Not linked"))
+        self.assertIn("console", self.session.notes[-1])
+        self.assertIsNone(livelink._tick())
+
+    def test_a_studio_is_waited_for_at_most_2_s(self):
+        """In the thread that draws Blender."""
+        asked = []
+        with unittest.mock.patch.object(livelink.link, "connect", lambda *_, **more: asked.append(more) or self.link):
+            livelink.Session([], "live", "studio")
+        self.assertEqual(asked, [{"timeout": 2, "any_model": False}])
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -1,6 +1,6 @@
 """The live link with the studio: hands the selected objects over, and writes what comes back into them.
 
-One Session lives at a time. Its tick() is called by a timer of Blender: nothing here waits for the studio.
+One Session lives at a time. Its tick() is called by a timer of Blender. Only the first answer of a studio is waited for.
 """
 
 import os
@@ -15,6 +15,7 @@ import numpy as np
 from . import api, link, meshdata
 
 _EVERY = 0.1  # seconds between two looks at the link
+_ANSWER = 2  # seconds that Blender waits for the first answer of a studio
 _START = 60  # seconds that a studio may take to start
 #: Channels of pictures, and the inputs of the surface that they are at.
 _INPUTS = {
@@ -150,20 +151,18 @@ class Session:
     def _connect(self):
         """Links to the studio that has this file, or has nothing; else starts one."""
         try:
-            self._link = link.connect(model_name(), "Blender", any_model=False)
+            self._link = link.connect(model_name(), "Blender", timeout=_ANSWER, any_model=False)
         except link.LinkError:
             self.process = subprocess.Popen([self._studio], stdin=subprocess.DEVNULL)
             return
         self._begin()
 
     def _await_studio(self):
-        """Links to the studio that was started, when it listens."""
-        for place in link.places():
-            if place.process == self.process.pid:
-                self._link = link.Link(place, "Blender")
-                self._begin()
-                return
-        if self.process.poll() is not None or time.monotonic() > self._until:
+        """Links to the studio that was started, when it answers."""
+        self._link = link.started_studio(self.process, "Blender", timeout=_ANSWER)
+        if self._link is not None:
+            self._begin()
+        elif self.process.poll() is not None or time.monotonic() > self._until:
             self.close("Autocuts did not start: say in the preferences of this add-on where it is")
 
     def _begin(self):
@@ -451,7 +450,12 @@ def _tick():
         _redraw()
         return None
     notes = len(current.notes)
-    current.tick()
+    try:
+        current.tick()
+    except Exception:
+        current.close("An error has ended the link: see the console")
+        _redraw()
+        raise
     if len(current.notes) != notes:
         _redraw()
     return _EVERY
