@@ -385,6 +385,24 @@ class Blender(unittest.TestCase):
             livelink.Session([], "live", "studio")
         self.assertEqual(asked, [{"timeout": 2, "any_model": False}])
 
+    def test_maps_of_other_uv_sets_are_passed_over(self):
+        """The user is told once."""
+        self.taken("opened")
+        for _ in range(2):
+            self.map_comes(0.5 * self.uvs, "Lightmap")
+        self.assertEqual(self.written, [])
+        self.assertEqual(self.session.notes, ["Maps of Lightmap stay in Autocuts: this link is for UVMap"])
+        self.map_comes(0.25 * self.uvs, "UVMap")
+        self.assertEqual(len(self.written), 1)
+        self.assertEqual(len(self.session.notes), 1)
+
+    def test_the_first_map_says_which_uv_set_it_is(self):
+        """The studio had the model, and its names are its own."""
+        self.taken("relinked")
+        for name in ("Main", "Lightmap", "Main"):
+            self.map_comes(0.5 * self.uvs, name)
+        self.assertEqual(len(self.written), 2)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

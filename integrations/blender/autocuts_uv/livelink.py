@@ -126,6 +126,8 @@ class Session:
         self.process = None
         self._until = time.monotonic() + _START
         self._looked = 0.0
+        self._uv_set = ""  # of the studio, that the link is for; empty: that of its next map
+        self._left_out = set()  # other UV sets that the user was told of
         self._first_vertices, self._first_faces = [], []
         self._connect()
 
@@ -210,6 +212,8 @@ class Session:
     def _take_taken(self, message):
         self.waiting = False
         self.notes += message.fields["lost"]
+        if message.fields["how"] == "opened":
+            self._uv_set = self._uv_name(self.parts)
 
     def _take_refused(self, message):
         self.waiting = False
@@ -225,6 +229,8 @@ class Session:
         uvs = message.arrays["uvs"]
         if np.isnan(uvs).all():
             return
+        if not self._is_ours(message.fields["uvSet"]):
+            return
         if any(self._is_there(part) and not self._is_same(part) for part in self.parts):
             self.dirty = True  # the mesh as it is now goes to the studio, and its map comes back
             return
@@ -233,6 +239,19 @@ class Session:
         for part in self.parts:
             layer = bpy.data.objects[part.object_name].data.uv_layers.active if self._is_there(part) else None
             part.uv_name = layer.name if layer else part.uv_name
+
+    def _is_ours(self, uv_set):
+        """True for the UV set that the link is for. In a model that the studio had, that is the one of the first map."""
+        self._uv_set = self._uv_set or uv_set
+        if uv_set != self._uv_set and uv_set not in self._left_out:
+            self._left_out.add(uv_set)
+            self.notes.append(f"Maps of {uv_set} stay in Autocuts: this link is for {self._uv_set}")
+        return uv_set == self._uv_set
+
+    @staticmethod
+    def _uv_name(parts):
+        """The name of the UV set that the studio gets."""
+        return parts[0].uv_name or "UVMap"
 
     @staticmethod
     def _single(uvs, before):
@@ -392,7 +411,7 @@ class Session:
             model.face_objects,
             materials,
             model.face_materials,
-            uv_sets=[(model.parts[0].uv_name or "UVMap", model.uvs)] if has_uvs else (),
+            uv_sets=[(self._uv_name(model.parts), model.uvs)] if has_uvs else (),
             cuts=_pairs(cuts),
             pins=pins,
             pin_uvs=model.uvs[pins],
