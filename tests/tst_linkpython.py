@@ -403,6 +403,32 @@ class Blender(unittest.TestCase):
             self.map_comes(0.5 * self.uvs, name)
         self.assertEqual(len(self.written), 2)
 
+    def test_final_maps_are_steps_of_undo(self):
+        """Those of a running solve are not, nor are maps that are there."""
+        self.taken()
+        with unittest.mock.patch.object(livelink, "_push_undo") as push:
+            for factor, solving, steps in ((0.5, True, 0), (0.4, True, 0), (0.4, False, 1), (0.4, False, 1), (0.3, False, 2)):
+                self.map_comes(factor * self.uvs, solving=solving)
+                self.assertEqual(push.call_count, steps, (factor, solving))
+
+    def test_undo_sends_no_old_map(self):
+        """The newest one is asked for, and is no other step of undo."""
+        self.taken()
+        self.map_comes(0.5 * self.uvs)
+        self.model.uvs = self.uvs
+        livelink._went_back()
+        self.session.tick()
+        self.assertEqual((len(self.link.meshes), self.link.requests), (1, 1))
+        with unittest.mock.patch.object(livelink, "_push_undo") as push:
+            self.map_comes(0.5 * self.uvs)
+        self.assertEqual((len(self.written), push.call_count), (2, 0))
+        # What is edited afterwards goes to the studio.
+        self.session._looked = -LONG
+        self.model.uvs = 0.25 * self.uvs
+        livelink._changed()
+        self.session.tick()
+        self.assertEqual((len(self.link.meshes), self.link.requests), (2, 1))
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

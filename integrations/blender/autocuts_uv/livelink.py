@@ -126,6 +126,9 @@ class Session:
         self.process = None
         self._until = time.monotonic() + _START
         self._looked = 0.0
+        self._went_back = False  # Blender's undo or redo has put other UVs here
+        self._is_restoring = False  # the next map comes after it, and is no step
+        self._lacks_step = False  # maps were written since the last step of Blender's undo
         self._uv_set = ""  # of the studio, that the link is for; empty: that of its next map
         self._left_out = set()  # other UV sets that the user was told of
         self._first_vertices, self._first_faces = [], []
@@ -184,6 +187,10 @@ class Session:
             self._looked = 0.0
             self._link.request()
 
+    def go_back(self):
+        """Blender has undone or redone something: other UVs are an older map then, and no edit."""
+        self.dirty = self._went_back = True
+
     def close(self, note=""):
         """Ends the link."""
         if note:
@@ -235,10 +242,16 @@ class Session:
             self.dirty = True  # the mesh as it is now goes to the studio, and its map comes back
             return
         self.notes += meshdata.write_uvs(self.parts, uvs)
-        self._known.uvs = self._single(uvs, self._known.uvs)
+        known = self._single(uvs, self._known.uvs)
+        self._lacks_step |= not self._is_restoring and not np.array_equal(known, self._known.uvs)
+        self._is_restoring = False
+        self._known.uvs = known
         for part in self.parts:
             layer = bpy.data.objects[part.object_name].data.uv_layers.active if self._is_there(part) else None
             part.uv_name = layer.name if layer else part.uv_name
+        if self._lacks_step and not message.fields["solving"]:
+            self._lacks_step = False
+            _push_undo()
 
     def _is_ours(self, uv_set):
         """True for the UV set that the link is for. In a model that the studio had, that is the one of the first map."""
@@ -362,6 +375,9 @@ class Session:
         same_corners = uvs.shape == self._known.uvs.shape and b"".join(
             part.topology for part in model.parts
         ) == b"".join(part.topology for part in self.parts)
+        went_back, self._went_back = self._went_back, False
+        if went_back and same_corners:
+            self._known.uvs = uvs
         own_uvs = same_corners and not np.array_equal(uvs, self._known.uvs, equal_nan=True)
         # Changes of marks are said with the numbers that the studio knows.
         if same_corners:
@@ -372,6 +388,9 @@ class Session:
                 self._link.send_textures(materials)
         if own_uvs or self._described(model) != self._known.mesh:
             self._send_mesh(model, own_uvs, False)
+        if went_back:
+            self._is_restoring = True
+            self._link.request()
 
     def _marks_of(self, model):
         cuts = np.unique(_keys(_sides(model)[model.cuts]))
@@ -439,6 +458,14 @@ def _select_faces(item, faces):
     bmesh.update_edit_mesh(item.data, loop_triangles=False, destructive=False)
 
 
+def _push_undo():
+    """Makes what was written a step of Blender's undo, where Blender has a window."""
+    for window in () if bpy.app.background else bpy.context.window_manager.windows[:1]:
+        with bpy.context.temp_override(window=window):
+            if bpy.ops.ed.undo_push.poll():
+                bpy.ops.ed.undo_push(message="Map of Autocuts")
+
+
 current = None  # the Session
 
 
@@ -494,6 +521,12 @@ def _changed(*_arguments):
 
 
 @bpy.app.handlers.persistent
+def _went_back(*_arguments):
+    if current is not None:
+        current.go_back()
+
+
+@bpy.app.handlers.persistent
 def _loaded(*_arguments):
     end()
 
@@ -501,7 +534,7 @@ def _loaded(*_arguments):
 def register():
     bpy.app.handlers.depsgraph_update_post.append(_changed)
     for handlers in (bpy.app.handlers.undo_post, bpy.app.handlers.redo_post):
-        handlers.append(_changed)
+        handlers.append(_went_back)
     bpy.app.handlers.load_pre.append(_loaded)
 
 
@@ -511,5 +544,5 @@ def unregister():
         bpy.app.timers.unregister(_tick)
     bpy.app.handlers.depsgraph_update_post.remove(_changed)
     for handlers in (bpy.app.handlers.undo_post, bpy.app.handlers.redo_post):
-        handlers.remove(_changed)
+        handlers.remove(_went_back)
     bpy.app.handlers.load_pre.remove(_loaded)
