@@ -35,6 +35,7 @@ class StandIn:
     def __init__(self, folder, process, model="", refuses=False, silent=False):
         self.heard, self.model = [], model
         self.refuses, self.silent = refuses, silent
+        self.how = "relinked"
         self.path = os.path.join(folder, f"studio-{process}.json")
         told = {"version": 1, "socket": self.path[:-5] + ".socket", "token": "0" * 64, "process": process, "model": model}
         self._server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -66,7 +67,7 @@ class StandIn:
             elif message.type == "hello":
                 program.sendall(link.encode("welcome", {"version": 1, "program": "Stand-in", "model": self.model}, {}))
             elif message.type == "mesh":
-                taken = {"serial": message.fields["serial"], "how": "relinked", "lost": []}
+                taken = {"serial": message.fields["serial"], "how": self.how, "lost": []}
                 program.sendall(link.encode("taken", taken, {}))
 
     def end(self):
@@ -161,8 +162,8 @@ class Places(WithPlaces):
 
 @unittest.skipIf(link.numpy is None, "no NumPy")
 class CommandLine(WithPlaces):
-    def handed(self, model, open_model):
-        """The UV sets that reach a studio that has open_model."""
+    def handed(self, model, open_model, how="relinked"):
+        """The UV sets of the meshes that reach a studio that has open_model."""
         mesh = types.SimpleNamespace(
             positions=[(0, 0, 0), (1, 0, 0), (0, 1, 0)],
             faces=[(0, 1, 2)],
@@ -174,15 +175,20 @@ class CommandLine(WithPlaces):
             material_names=(),
         )
         studio = self.studio(1, model=open_model)
+        studio.how = how
         with link.connect() as linked:
             link._hand_file(linked, mesh, model)
-        return next(one for one in studio.heard if one.type == "mesh").fields["uvSets"]
+        return [one.fields["uvSets"] for one in studio.heard if one.type == "mesh"]
 
     def test_a_studio_that_has_the_file_keeps_its_map(self):
-        self.assertEqual(self.handed("chair.obj", os.path.abspath("chair.obj")), [])
+        self.assertEqual(self.handed("chair.obj", os.path.abspath("chair.obj")), [[]])
+
+    def test_a_file_that_is_opened_anew_has_its_map(self):
+        """Its objects have other names in the studio, so that this is no state of the open model."""
+        self.assertEqual(self.handed("chair.obj", os.path.abspath("chair.obj"), "opened"), [[], ["UVMap"]])
 
     def test_the_map_of_a_file_goes_to_another_studio(self):
-        self.assertEqual(self.handed("chair.obj", ""), ["UVMap"])
+        self.assertEqual(self.handed("chair.obj", "", "opened"), [["UVMap"]])
 
     def test_the_studio_that_has_the_file_gets_it(self):
         """Also where another one is newer."""
@@ -377,6 +383,21 @@ class Blender(unittest.TestCase):
         self.assertEqual((self.session.is_open, self.session.text), (False, "Not linked"))
         self.assertIn("console", self.session.notes[-1])
         self.assertIsNone(livelink._tick())
+
+    def test_a_studio_that_starts_gets_the_objects(self):
+        """When it answers."""
+        refused = unittest.mock.Mock(side_effect=link.LinkError)
+        process = types.SimpleNamespace(pid=1, poll=lambda: None)
+        answers = iter((None, self.link))
+        with unittest.mock.patch.multiple(
+            livelink.link, connect=refused, started_studio=lambda *_, **__: next(answers)
+        ), unittest.mock.patch.object(livelink.subprocess, "Popen", lambda *_, **__: process):
+            session = livelink.Session([], "pause", "studio")
+            handed = len(self.link.meshes)
+            session.tick()
+            self.assertEqual((session.text, len(self.link.meshes)), ("Autocuts is starting", handed))
+            session.tick()
+            self.assertEqual((session.text, len(self.link.meshes)), ("Linked to Autocuts", handed + 1))
 
     def test_a_studio_is_waited_for_at_most_2_s(self):
         """In the thread that draws Blender."""

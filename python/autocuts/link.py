@@ -432,20 +432,25 @@ def _hand_file(studio, mesh, path):
     names = list(mesh.object_names) or [os.path.basename(path)]
     names += [f"object {number}" for number in range(len(names), max(numbers, default=0) + 1)]
     materials = mesh.materials if mesh.material_names else None
-    studio.send_mesh(
-        model,
-        names,
-        mesh.positions,
-        mesh.sizes(),
-        numpy.ravel(mesh.faces),
-        mesh.objects,
-        mesh.material_names,
-        materials,
-        uv_sets=() if is_there or mesh.uvs is None else [("UVMap", mesh.uvs)],
-        open=True,
-    )
-    for line in studio.wait_for("taken").fields["lost"]:
-        print(line, file=sys.stderr)
+    own = [] if mesh.uvs is None else [("UVMap", mesh.uvs)]
+    for uv_sets in ([], own) if is_there and own else (own,):
+        studio.send_mesh(
+            model,
+            names,
+            mesh.positions,
+            mesh.sizes(),
+            numpy.ravel(mesh.faces),
+            mesh.objects,
+            mesh.material_names,
+            materials,
+            uv_sets=uv_sets,
+            open=True,
+        )
+        taken = studio.wait_for("taken").fields
+        for line in taken["lost"]:
+            print(line, file=sys.stderr)
+        if taken["how"] != "opened":
+            return  # else its objects have other names there: it has been opened anew, without a map
 
 
 def _run(choice):
