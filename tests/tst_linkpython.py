@@ -285,6 +285,10 @@ class Maya(WithPlaces):
         with open(slow, "w", encoding="utf-8") as file:
             file.write("#!/bin/sh\nexec sleep 1000\n")
         os.chmod(slow, 0o700)
+        with unittest.mock.patch.object(autocuts_maya, "_ANSWER", LONG):
+            self.start_slowly(slow)
+
+    def start_slowly(self, slow):
         autocuts_maya.open_in_autocuts(mode="pause", studio=slow)
         process = autocuts_maya._session.process
         self.addCleanup(process.wait)

@@ -459,10 +459,10 @@ def _select_faces(item, faces):
 
 
 def _push_undo():
-    """Makes what was written a step of Blender's undo, where Blender has a window."""
+    """Makes what was written a step of Blender's undo, where Blender has a window. Strokes of a brush have their own steps."""
     for window in () if bpy.app.background else bpy.context.window_manager.windows[:1]:
         with bpy.context.temp_override(window=window):
-            if bpy.ops.ed.undo_push.poll():
+            if bpy.context.mode in {"OBJECT", "EDIT_MESH"} and bpy.ops.ed.undo_push.poll():
                 bpy.ops.ed.undo_push(message="Map of Autocuts")
 
 
