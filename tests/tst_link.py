@@ -172,11 +172,9 @@ class Studios(unittest.TestCase):
         self.hand(studio, "a", grid(12, 0.4), open=True)
         studio.want("live")
         os.kill(studio.place.process, signal.SIGKILL)
-        began = time.monotonic()
         with self.assertRaisesRegex(link.LinkError, "ended"):
             while True:
                 studio.wait_for("maps", LONG)
-        self.assertLess(time.monotonic() - began, LONG)
         self.assertFalse(studio.is_open)
         # What it left behind is removed, and another studio is found.
         self.assertEqual(len(link.places()), 1)
@@ -249,7 +247,7 @@ class Studios(unittest.TestCase):
         os.chmod(solving, 0o700)
         scene.selection = ["|one", "|two"]
         autocuts_maya.open_in_autocuts(studio=solving)
-        process = autocuts_maya._session.link.process
+        process = autocuts_maya._session.process
         self.processes.append(process)
         mesh = scene.meshes[second]
         self.maya_until(lambda: mesh.us)

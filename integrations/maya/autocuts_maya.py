@@ -4,6 +4,8 @@ Needs link.py of Autocuts beside it, and nothing else. The licence is GPL-3.0-or
 """
 
 import os
+import subprocess
+import time
 
 import maya.api.OpenMaya as om
 import maya.cmds as cmds
@@ -15,6 +17,8 @@ except ImportError:
 
 _EVERY = 0.1  # seconds between two looks at the link
 _LOOK = 5  # looks at the link between two looks at the meshes
+_ANSWER = 2  # seconds that Maya waits for a studio to answer
+_START = 60  # seconds that a studio may take to start
 
 
 class _Part:
@@ -43,6 +47,11 @@ class _Part:
             at += count
         return found
 
+    def is_same(self):
+        """True when the mesh has the polygons that it had."""
+        sizes, corners = _mesh(self.path).getVertices()
+        return list(sizes) == self.sizes and list(corners) == self.corners
+
     def write(self, uvs):
         """Writes UVs of the corners: those of a vertex that are equal become one."""
         mesh = _mesh(self.path)
@@ -67,6 +76,11 @@ def _mesh(path):
     return om.MFnMesh(chosen.getDagPath(0))
 
 
+def _model_name():
+    """The name by which the studio knows this scene."""
+    return cmds.file(query=True, sceneName=True) or "untitled-%d.ma" % os.getpid()
+
+
 def _selected_meshes():
     """Full paths of the meshes that are selected, or of which something is."""
     shapes = cmds.ls(cmds.ls(selection=True, objectsOnly=True, long=True) or [], dag=True, type="mesh", long=True,
@@ -78,15 +92,53 @@ class _Session:
     """A link, and the meshes that it is for."""
 
     def __init__(self, paths, studio, mode):
-        self.paths = paths
+        """studio: the program, for when none runs that has this scene or nothing."""
+        self.paths, self.mode = paths, mode
         self.parts = []
         self.notes = []
         self.waiting = False  # for the answer to a mesh
-        self.link = studio
+        self.link = None  # until a studio answers
+        self.process = None  # of a studio that was started for it
+        self._until = time.monotonic() + _START
         self._looks = 0
         self._selected = None
-        studio.want(mode)
+        try:
+            found = link.connect(_model_name(), "Maya", timeout=_ANSWER, any_model=False)
+        except link.LinkError:
+            self.process = subprocess.Popen([studio], stdin=subprocess.DEVNULL)
+            return
+        self._begin(found)
+
+    def _begin(self, studio):
+        self.link = studio
+        studio.want(self.mode)
         self.send_mesh(True)
+
+    def _await_studio(self):
+        """Links to the studio that was started, when it answers."""
+        studio = link.started_studio(self.process, "Maya", timeout=_ANSWER)
+        if studio is not None:
+            self._begin(studio)
+        elif self.process.poll() is not None or time.monotonic() > self._until:
+            raise link.LinkError("the studio did not start: say where it is, open_in_autocuts(studio=PATH)")
+
+    @property
+    def is_open(self):
+        """False when the link has ended."""
+        return self.link is None or self.link.is_open
+
+    def set_mode(self, mode):
+        self.mode = mode
+        if self.link is not None:
+            self.link.want(mode)
+
+    def request(self):
+        if self.link is not None:
+            self.link.request()
+
+    def close(self):
+        if self.link is not None:
+            self.link.close()
 
     def _read(self):
         parts, counts = [], (0, 0, 0)
@@ -106,7 +158,7 @@ class _Session:
         self.parts = parts
         self._selected = self._faces()
         self.link.send_mesh(
-            cmds.file(query=True, sceneName=True) or "untitled-%d.ma" % os.getpid(),
+            _model_name(),
             self.paths,
             [point for part in parts for point in part.points],
             [size for part in parts for size in part.sizes],
@@ -132,6 +184,9 @@ class _Session:
 
     def tick(self):
         """Takes what has come and sends what has changed."""
+        if self.link is None:
+            self._await_studio()
+            return
         for message in self.link.poll():
             take = getattr(self, "_take_" + message.type, None)
             if take:
@@ -173,6 +228,9 @@ class _Session:
         uvs = [(float(u), float(v)) for u, v in message.arrays["uvs"]]
         if any(u != u for u, _ in uvs):
             return  # a part has no map yet
+        if not all(part.is_same() for part in self.parts):
+            self._looks = _LOOK - 1  # the meshes go to the studio as they are now, and their map comes back
+            return
         for part in self.parts:
             part.write(uvs[part.first_corner : part.first_corner + len(part.corners)])
 
@@ -201,35 +259,35 @@ def open_in_autocuts(mode="live", studio="autocuts"):
         om.MGlobal.displayError("Autocuts: select meshes first")
         return
     end_link()
-    name = cmds.file(query=True, sceneName=True) or "untitled-%d.ma" % os.getpid()
     try:
-        found = link.connect(name, "Maya", any_model=False)
-    except link.LinkError:
-        found = link.start_studio((studio,), program="Maya")
-    _session = _Session(paths, found, mode)
+        _session = _Session(paths, studio, mode)
+    except (link.LinkError, OSError) as error:
+        om.MGlobal.displayError("Autocuts: %s" % error)
+        return
     _timer = om.MTimerMessage.addTimerCallback(_EVERY, _tick)
 
 
 def _tick(*_arguments):
     try:
         _session.tick()
-    except link.LinkError as error:
-        om.MGlobal.displayError("Autocuts: %s" % error)
-        _session.link.close()
-    if not _session.link.is_open:
+    except (link.LinkError, OSError, RuntimeError) as error:  # Maya's errors are RuntimeErrors
+        om.MGlobal.displayError("Autocuts: the link has ended: %s" % error)
+        end_link()
+        return
+    if not _session.is_open:
         end_link()
 
 
 def set_mode(mode):
     """When maps come: "live", on "pause", or on "request" only."""
     if _session:
-        _session.link.want(mode)
+        _session.set_mode(mode)
 
 
 def get_map():
     """Asks for the newest map."""
     if _session:
-        _session.link.request()
+        _session.request()
 
 
 def end_link():
@@ -239,5 +297,5 @@ def end_link():
         om.MMessage.removeCallback(_timer)
         _timer = None
     if _session is not None:
-        _session.link.close()
+        _session.close()
         _session = None

@@ -13,7 +13,6 @@ without it, rows of several numbers are tuples in a list. docs/link.md describes
 
 import argparse
 import array
-import errno
 import json
 import os
 import select
@@ -31,7 +30,7 @@ except ImportError:
 
 VERSION = 1
 _HEAD = struct.Struct("<II")  # bytes of the fields, bytes of the arrays
-_MOST_FIELDS, _MOST_ARRAYS = 1 << 26, 1 << 30
+_MOST_FIELDS, _MOST_ARRAYS = 4 << 20, 1 << 30  # bytes; docs/link.md
 _AT_ONCE = 1 << 20  # bytes
 _CODES = {"i4": "i", "f4": "f", "f8": "d"}
 #: Per array that is sent: kind and columns.
@@ -45,6 +44,10 @@ _SENT = {
 
 class LinkError(Exception):
     """The studio is not there, refuses, or sends what cannot be read. The text is for the user."""
+
+
+class NoAnswer(LinkError):
+    """The studio is there, and has said nothing in time."""
 
 
 class Message:
@@ -128,19 +131,28 @@ class Place:
         self.process, self.model = told["process"], told["model"]
 
     def forget(self):
-        """Removes what a studio that was killed has left behind."""
-        for path in (self.path, self.socket):
+        """Removes what a studio that was killed has left behind, by its own name: the file may say anything."""
+        for path in (self.path, self.path[:-5] + ".socket"):
             try:
                 os.remove(path)
             except OSError:
                 pass
 
 
+def _is_own(folder):
+    """True when only this user can write to a folder and read it, as the studio makes it."""
+    try:
+        found = os.stat(folder)
+    except OSError:
+        return False
+    return found.st_uid == os.getuid() and not found.st_mode & 0o077
+
+
 def places(folder=None):
-    """The places of all studios, also of those that were killed, the newest first."""
+    """The places of all studios, also of those that were killed, the newest first. None in a folder of others."""
     folder = folder or user_folder()
     found = []
-    for name in os.listdir(folder) if os.path.isdir(folder) else ():
+    for name in os.listdir(folder) if _is_own(folder) else ():
         if name.startswith("studio-") and name.endswith(".json"):
             try:
                 path = os.path.join(folder, name)
@@ -362,25 +374,42 @@ class Link:
             if self._socket is None:
                 raise LinkError("The link to the studio has ended. Open the model in Autocuts again.")
             if time.monotonic() >= until:
-                raise LinkError(f"The studio did not answer within {timeout} s.")
+                raise NoAnswer(f"The studio did not answer within {timeout} s.")
 
 
 def _gone(error):
-    return isinstance(error, (ConnectionRefusedError, FileNotFoundError)) or error.errno == errno.ECONNREFUSED
+    return isinstance(error, (ConnectionRefusedError, FileNotFoundError))
 
 
 def connect(model=None, program="Python", folder=None, timeout=10, any_model=True):
     """Links to the studio that has this model open; else to one without a model; else to the newest one, or to none
-    without any_model. Places of studios that were killed are removed. Raises LinkError when there is none."""
+    without any_model. Places of studios that were killed are removed. `timeout` is for each studio; one that refuses is
+    passed over. Raises LinkError when there is none."""
     found = [place for place in places(folder) if any_model or place.model in ("", model)]
     found.sort(key=lambda place: 0 if model and place.model == model else 1 if not place.model else 2)
+    refusal = None
     for place in found:
         try:
             return Link(place, program, timeout)
+        except LinkError as error:
+            refusal = refusal or error
         except OSError as error:
             if _gone(error):
                 place.forget()
-    raise LinkError("No studio of Autocuts runs. Start it, and let other programs in (Preferences).")
+    raise refusal or LinkError("No studio of Autocuts runs. Start it, and let other programs in (Preferences).")
+
+
+def started_studio(process, program="Python", folder=None, timeout=10):
+    """Links to the studio that was started as this process. None while it does not listen, or is too busy to answer."""
+    for place in places(folder):
+        if place.process == process.pid:
+            try:
+                studio = Link(place, program, timeout)
+            except NoAnswer:
+                return None
+            studio.process = process
+            return studio
+    return None
 
 
 def start_studio(command=("autocuts",), folder=None, timeout=60, program="Python"):
@@ -388,42 +417,50 @@ def start_studio(command=("autocuts",), folder=None, timeout=60, program="Python
     process = subprocess.Popen(list(command), stdin=subprocess.DEVNULL)
     until = time.monotonic() + timeout
     while time.monotonic() < until and process.poll() is None:
-        for place in places(folder):
-            if place.process == process.pid:
-                studio = Link(place, program, timeout)
-                studio.process = process
-                return studio
+        studio = started_studio(process, program, folder, timeout)
+        if studio is not None:
+            return studio
         time.sleep(0.05)
     raise LinkError("The studio has not started. Start it yourself and try again.")
 
 
 def _hand_file(studio, mesh, path):
-    """Hands a Mesh of the package over, as what the user wants to see."""
+    """Hands a Mesh of the package over, as what the user wants to see. A studio that has this file keeps its map."""
+    model = os.path.abspath(path)
+    is_there = studio.welcome.fields["model"] == model
     numbers = [] if mesh.objects is None else sorted(set(mesh.objects.tolist()))
     names = list(mesh.object_names) or [os.path.basename(path)]
     names += [f"object {number}" for number in range(len(names), max(numbers, default=0) + 1)]
     materials = mesh.materials if mesh.material_names else None
-    studio.send_mesh(
-        os.path.abspath(path),
-        names,
-        mesh.positions,
-        mesh.sizes(),
-        numpy.ravel(mesh.faces),
-        mesh.objects,
-        mesh.material_names,
-        materials,
-        uv_sets=() if mesh.uvs is None else [("UVMap", mesh.uvs)],
-        open=True,
-    )
-    for line in studio.wait_for("taken").fields["lost"]:
-        print(line, file=sys.stderr)
+    own = [] if mesh.uvs is None else [("UVMap", mesh.uvs)]
+    for uv_sets in ([], own) if is_there and own else (own,):
+        studio.send_mesh(
+            model,
+            names,
+            mesh.positions,
+            mesh.sizes(),
+            numpy.ravel(mesh.faces),
+            mesh.objects,
+            mesh.material_names,
+            materials,
+            uv_sets=uv_sets,
+            open=True,
+        )
+        taken = studio.wait_for("taken").fields
+        for line in taken["lost"]:
+            print(line, file=sys.stderr)
+        if taken["how"] != "opened":
+            return  # else its objects have other names there: it has been opened anew, without a map
 
 
 def _run(choice):
     from autocuts import Mesh
 
     mesh = Mesh.load(choice.model)
-    studio = start_studio((choice.studio,), program="autocuts.link") if choice.start else connect(program="autocuts.link")
+    if choice.start:
+        studio = start_studio((choice.studio,), program="autocuts.link")
+    else:
+        studio = connect(os.path.abspath(choice.model), "autocuts.link")
     with studio:
         studio.want("live" if choice.watch == "live" else "pause")
         _hand_file(studio, mesh, choice.model)

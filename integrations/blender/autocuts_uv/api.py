@@ -44,7 +44,7 @@ def pins_of(layer):
 
 
 def change_pins(item, uv_name, pins, unpins):
-    """Pins and frees corners of an object's UV map, also in edit mode."""
+    """Pins and frees corners of an object's UV map, also in edit mode. False when there is no such map."""
     if item.mode == "EDIT":
         edited = bmesh.from_edit_mesh(item.data)
         layer = edited.loops.layers.uv.get(uv_name)
@@ -54,10 +54,10 @@ def change_pins(item, uv_name, pins, unpins):
             if corner in chosen:
                 loop[layer].pin_uv = chosen[corner]
         bmesh.update_edit_mesh(item.data, loop_triangles=False, destructive=False)
-        return
+        return layer is not None
     layer = item.data.uv_layers.get(uv_name)
     if layer is None:
-        return
+        return False
     flags = pins_of(layer)
     flags[unpins], flags[pins] = False, True
     if hasattr(layer, "pin"):
@@ -66,6 +66,7 @@ def change_pins(item, uv_name, pins, unpins):
         layer.pin.foreach_set("value", flags)
     else:
         layer.data.foreach_set("pin_uv", flags)
+    return True
 
 
 def _edge_flags(mesh, name):

@@ -1,6 +1,6 @@
 """The live link with the studio: hands the selected objects over, and writes what comes back into them.
 
-One Session lives at a time. Its tick() is called by a timer of Blender: nothing here waits for the studio.
+One Session lives at a time. Its tick() is called by a timer of Blender. Only the first answer of a studio is waited for.
 """
 
 import os
@@ -15,6 +15,7 @@ import numpy as np
 from . import api, link, meshdata
 
 _EVERY = 0.1  # seconds between two looks at the link
+_ANSWER = 2  # seconds that Blender waits for the first answer of a studio
 _START = 60  # seconds that a studio may take to start
 #: Channels of pictures, and the inputs of the surface that they are at.
 _INPUTS = {
@@ -125,6 +126,11 @@ class Session:
         self.process = None
         self._until = time.monotonic() + _START
         self._looked = 0.0
+        self._went_back = False  # Blender's undo or redo has put other UVs here
+        self._is_restoring = False  # the next map comes after it, and is no step
+        self._lacks_step = False  # maps were written since the last step of Blender's undo
+        self._uv_set = ""  # of the studio, that the link is for; empty: that of its next map
+        self._left_out = set()  # other UV sets that the user was told of
         self._first_vertices, self._first_faces = [], []
         self._connect()
 
@@ -150,20 +156,18 @@ class Session:
     def _connect(self):
         """Links to the studio that has this file, or has nothing; else starts one."""
         try:
-            self._link = link.connect(model_name(), "Blender", any_model=False)
+            self._link = link.connect(model_name(), "Blender", timeout=_ANSWER, any_model=False)
         except link.LinkError:
             self.process = subprocess.Popen([self._studio], stdin=subprocess.DEVNULL)
             return
         self._begin()
 
     def _await_studio(self):
-        """Links to the studio that was started, when it listens."""
-        for place in link.places():
-            if place.process == self.process.pid:
-                self._link = link.Link(place, "Blender")
-                self._begin()
-                return
-        if self.process.poll() is not None or time.monotonic() > self._until:
+        """Links to the studio that was started, when it answers."""
+        self._link = link.started_studio(self.process, "Blender", timeout=_ANSWER)
+        if self._link is not None:
+            self._begin()
+        elif self.process.poll() is not None or time.monotonic() > self._until:
             self.close("Autocuts did not start: say in the preferences of this add-on where it is")
 
     def _begin(self):
@@ -182,6 +186,10 @@ class Session:
             self.dirty = True
             self._looked = 0.0
             self._link.request()
+
+    def go_back(self):
+        """Blender has undone or redone something: other UVs are an older map then, and no edit."""
+        self.dirty = self._went_back = True
 
     def close(self, note=""):
         """Ends the link."""
@@ -211,6 +219,8 @@ class Session:
     def _take_taken(self, message):
         self.waiting = False
         self.notes += message.fields["lost"]
+        if message.fields["how"] == "opened":
+            self._uv_set = self._uv_name(self.parts)
 
     def _take_refused(self, message):
         self.waiting = False
@@ -226,14 +236,35 @@ class Session:
         uvs = message.arrays["uvs"]
         if np.isnan(uvs).all():
             return
+        if not self._is_ours(message.fields["uvSet"]):
+            return
         if any(self._is_there(part) and not self._is_same(part) for part in self.parts):
             self.dirty = True  # the mesh as it is now goes to the studio, and its map comes back
             return
         self.notes += meshdata.write_uvs(self.parts, uvs)
-        self._known.uvs = self._single(uvs, self._known.uvs)
+        known = self._single(uvs, self._known.uvs)
+        self._lacks_step |= not self._is_restoring and not np.array_equal(known, self._known.uvs)
+        self._is_restoring = False
+        self._known.uvs = known
         for part in self.parts:
             layer = bpy.data.objects[part.object_name].data.uv_layers.active if self._is_there(part) else None
             part.uv_name = layer.name if layer else part.uv_name
+        if self._lacks_step and not message.fields["solving"]:
+            self._lacks_step = False
+            _push_undo()
+
+    def _is_ours(self, uv_set):
+        """True for the UV set that the link is for. In a model that the studio had, that is the one of the first map."""
+        self._uv_set = self._uv_set or uv_set
+        if uv_set != self._uv_set and uv_set not in self._left_out:
+            self._left_out.add(uv_set)
+            self.notes.append(f"Maps of {uv_set} stay in Autocuts: this link is for {self._uv_set}")
+        return uv_set == self._uv_set
+
+    @staticmethod
+    def _uv_name(parts):
+        """The name of the UV set that the studio gets."""
+        return parts[0].uv_name or "UVMap"
 
     @staticmethod
     def _single(uvs, before):
@@ -267,14 +298,19 @@ class Session:
                 for corners in (pins, unpins)
             ]
             if len(own[0]) or len(own[1]):
-                api.change_pins(item, part.uv_name, *own)
+                self._change_pins(part, item, *own)
             if faces is not None and item.mode == "EDIT":
                 _select_faces(item, np.asarray(faces) - first_face)
         known = self._known
         known.cuts = np.union1d(np.setdiff1d(known.cuts, uncuts), cuts)
-        known.pins = np.union1d(np.setdiff1d(known.pins, unpins), pins)
         if faces is not None:
             known.faces = np.asarray(faces)
+
+    def _change_pins(self, part, item, pins, unpins):
+        """Only pins that are in Blender are known: others would be taken for removed here."""
+        if api.change_pins(item, part.uv_name, pins, unpins):
+            kept = np.setdiff1d(self._known.pins, unpins + part.first_corner)
+            self._known.pins = np.union1d(kept, pins + part.first_corner)
 
     def _take_textures(self, message):
         for told in message.fields["materials"]:
@@ -339,6 +375,9 @@ class Session:
         same_corners = uvs.shape == self._known.uvs.shape and b"".join(
             part.topology for part in model.parts
         ) == b"".join(part.topology for part in self.parts)
+        went_back, self._went_back = self._went_back, False
+        if went_back and same_corners:
+            self._known.uvs = uvs
         own_uvs = same_corners and not np.array_equal(uvs, self._known.uvs, equal_nan=True)
         # Changes of marks are said with the numbers that the studio knows.
         if same_corners:
@@ -349,6 +388,9 @@ class Session:
                 self._link.send_textures(materials)
         if own_uvs or self._described(model) != self._known.mesh:
             self._send_mesh(model, own_uvs, False)
+        if went_back:
+            self._is_restoring = True
+            self._link.request()
 
     def _marks_of(self, model):
         cuts = np.unique(_keys(_sides(model)[model.cuts]))
@@ -388,7 +430,7 @@ class Session:
             model.face_objects,
             materials,
             model.face_materials,
-            uv_sets=[(model.parts[0].uv_name or "UVMap", model.uvs)] if has_uvs else (),
+            uv_sets=[(self._uv_name(model.parts), model.uvs)] if has_uvs else (),
             cuts=_pairs(cuts),
             pins=pins,
             pin_uvs=model.uvs[pins],
@@ -414,6 +456,14 @@ def _select_faces(item, faces):
         edited.faces[number].select_set(True)
     edited.select_flush_mode()
     bmesh.update_edit_mesh(item.data, loop_triangles=False, destructive=False)
+
+
+def _push_undo():
+    """Makes what was written a step of Blender's undo, where Blender has a window. Strokes of a brush have their own steps."""
+    for window in () if bpy.app.background else bpy.context.window_manager.windows[:1]:
+        with bpy.context.temp_override(window=window):
+            if bpy.context.mode in {"OBJECT", "EDIT_MESH"} and bpy.ops.ed.undo_push.poll():
+                bpy.ops.ed.undo_push(message="Map of Autocuts")
 
 
 current = None  # the Session
@@ -446,7 +496,12 @@ def _tick():
         _redraw()
         return None
     notes = len(current.notes)
-    current.tick()
+    try:
+        current.tick()
+    except Exception:
+        current.close("An error has ended the link: see the console")
+        _redraw()
+        raise
     if len(current.notes) != notes:
         _redraw()
     return _EVERY
@@ -466,6 +521,12 @@ def _changed(*_arguments):
 
 
 @bpy.app.handlers.persistent
+def _went_back(*_arguments):
+    if current is not None:
+        current.go_back()
+
+
+@bpy.app.handlers.persistent
 def _loaded(*_arguments):
     end()
 
@@ -473,7 +534,7 @@ def _loaded(*_arguments):
 def register():
     bpy.app.handlers.depsgraph_update_post.append(_changed)
     for handlers in (bpy.app.handlers.undo_post, bpy.app.handlers.redo_post):
-        handlers.append(_changed)
+        handlers.append(_went_back)
     bpy.app.handlers.load_pre.append(_loaded)
 
 
@@ -483,5 +544,5 @@ def unregister():
         bpy.app.timers.unregister(_tick)
     bpy.app.handlers.depsgraph_update_post.remove(_changed)
     for handlers in (bpy.app.handlers.undo_post, bpy.app.handlers.redo_post):
-        handlers.remove(_changed)
+        handlers.remove(_went_back)
     bpy.app.handlers.load_pre.remove(_loaded)
