@@ -398,15 +398,15 @@ bool FileController::relinkTo(const QString &path, const ReadModel &read, const 
         [this, ended, token = document->token()](const Result<Relinked> &linked) {
             if (!linked)
                 return ended(RelinkEnd::Failed, linked.error());
-            const QString path = linked->state.scene.path;
+            const QString file = linked->state.scene.path;
             // A running solve counts as an edit that is not in the document yet.
             if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing())
                 return ended(RelinkEnd::Edited,
                              Error{tr("The model was not re-linked, because the session was edited while the "
                                       "model was read"),
-                                   path, 0, tr("Re-link it again and wait until it is read")});
+                                   file, 0, tr("Re-link it again and wait until it is read")});
             if (const QString problem = linked->state.validate(); !problem.isEmpty())
-                return ended(RelinkEnd::Failed, Error{problem, path, 0, {}});
+                return ended(RelinkEnd::Failed, Error{problem, file, 0, {}});
             ended(RelinkEnd::Done, adoptRelinked(linked.value()));
         });
 }
