@@ -352,8 +352,16 @@ Relinked relinkDocument(const DocumentState &state, Scene newScene, const std::f
 
 Scene withOwnColors(Scene handed, const Scene &own)
 {
-    if (own.mesh->faceStart == handed.mesh->faceStart && own.mesh->cornerVertex == handed.mesh->cornerVertex)
+    const bool samePolygons =
+        own.mesh->faceStart == handed.mesh->faceStart && own.mesh->cornerVertex == handed.mesh->cornerVertex;
+    if (samePolygons)
         handed.cornerColors = own.cornerColors;
+    if (samePolygons && handed.materialNames.empty()) {
+        handed.materialNames = own.materialNames;
+        handed.faceMaterial = own.faceMaterial;
+        handed.materialTextures = own.materialTextures;
+        handed.materialSets = own.materialSets;
+    }
     if (own.materialNames == handed.materialNames)
         handed.materialColors = own.materialColors;
     return handed;

@@ -36,11 +36,14 @@ bool isSameModel(const Document &document, const Scene &scene)
            std::ranges::find_first_of(own.objectNames, scene.objectNames) != own.objectNames.end();
 }
 
-//! True when two states of a model have the same polygons, objects and materials.
-bool isEqual(const Scene &own, const Scene &other)
+//! True when a handed state of a model has the polygons and objects of the own one, and its materials, if it
+//! says anything of them.
+bool isEqual(const Scene &own, const Scene &handed)
 {
-    return own.mesh && own.objectNames == other.objectNames && own.materialNames == other.materialNames &&
-           own.faceMaterial == other.faceMaterial && samePolygons(*own.mesh, *other.mesh);
+    const bool sameMaterials = handed.materialNames.empty() || (own.materialNames == handed.materialNames &&
+                                                                own.faceMaterial == handed.faceMaterial);
+    return own.mesh && sameMaterials && own.objectNames == handed.objectNames &&
+           samePolygons(*own.mesh, *handed.mesh);
 }
 
 } // namespace
