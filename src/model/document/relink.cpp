@@ -350,7 +350,7 @@ Relinked relinkDocument(const DocumentState &state, Scene newScene, const std::f
     return Carrier(state, std::move(newScene), stopped).run();
 }
 
-Scene withOwnColors(Scene handed, const Scene &own)
+Scene completedHanded(Scene handed, const Scene &own)
 {
     const bool samePolygons =
         own.mesh->faceStart == handed.mesh->faceStart && own.mesh->cornerVertex == handed.mesh->cornerVertex;

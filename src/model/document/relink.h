@@ -62,6 +62,6 @@ Relinked relinkDocument(const DocumentState &state, Scene newScene,
 
 //! A scene that another program handed over, with the colours of the own one, which it does not know, where
 //! both have the same polygons and materials.
-Scene withOwnColors(Scene handed, const Scene &own);
+Scene completedHanded(Scene handed, const Scene &own);
 
 } // namespace autocuts

@@ -378,7 +378,7 @@ bool FileController::relinkHanded(const Scene &scene, const Taken &taken)
     return relinkTo(
         scene.path,
         [scene, own = mWorkspace.document()->state().scene](const std::atomic<bool> &) {
-            return withOwnColors(scene, own);
+            return completedHanded(scene, own);
         },
         [taken](RelinkEnd, const Result<QStringList> &lost) { taken(lost); });
 }
