@@ -229,7 +229,7 @@ bool CutState::boundariesOverlap(const MapPlace &place, const JobContext &job) c
     }
     // Triangles at boundary points whose bounding boxes meet the box of the given triangles.
     std::vector<int> near;
-    for (const int start : anchored ? boundary : boundaryAt(place)) {
+    for (const int start : chartsAreAlone() ? boundaryAt(place) : boundary) {
         for (int side = start;;) {
             const int t = side / 3;
             const Vec2 a = at(3 * t), b = at(3 * t + 1), c = at(3 * t + 2);
@@ -282,6 +282,7 @@ std::vector<const Obstacle *> CutState::obstaclesAt(const Vec2 &low, const Vec2 
 
 void CutState::spreadCharts()
 {
+    chartsAreApart = true;
     if (chartCount() < 2 && !graph->obstacles)
         return;
     struct Box

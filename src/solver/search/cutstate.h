@@ -57,6 +57,9 @@ struct CutState
     bool anchored = false;
     double pinStiffness = 1;      //!< of hard pins that are not reached yet
     std::vector<char> pinReached; //!< per anchor: a hard pin whose corner lies on it and is held there
+    //! True when every chart without anchors has room around it, see spreadCharts(): then it cannot come to
+    //! lie on another one by what changes it.
+    bool chartsAreApart = false;
     //! True when charts with anchors overlapped other charts or obstacles from the start. Then only overlaps
     //! within one chart count.
     bool chartsMayMeet = false;
@@ -77,6 +80,8 @@ struct CutState
     double energyOf(int t, const double *p) const;
     //! Gradient and Hessian of energyOf(), as triangleDerivatives().
     void derivativesOf(int t, const double *p, double *gradient, double *hessian) const;
+    //! True when a change of a chart needs no look at the others.
+    bool chartsAreAlone() const { return chartsAreApart && !anchored; }
     //! True for a triangle with anchors that have an effect.
     bool isAnchored(int t) const { return anchored && graph->anchors.onTriangle(t); }
     //! Number of hard pins that are not reached, and one more when charts with anchors may lie on others.
@@ -96,8 +101,8 @@ struct CutState
     //! overlaps itself, even when no boundary sides cross.
     bool loopsAreInOrder(const MapPlace &place = {}) const;
     //! \returns true when triangles at the boundaries overlap there. When this is false everywhere and
-    //! loopsAreInOrder() is true, no chart overlaps itself. Charts without anchors are far apart, so that
-    //! only those of the triangles are looked at. True also when stopped.
+    //! loopsAreInOrder() is true, no chart overlaps itself. Where charts are apart, only those of the
+    //! triangles are looked at. True also when stopped.
     bool boundariesOverlap(const MapPlace &place = {}, const JobContext &job = {}) const;
     //! True when no chart overlaps itself there. False also when stopped.
     bool isFreeOfOverlaps(const MapPlace &place = {}, const JobContext &job = {}) const

@@ -259,7 +259,7 @@ bool Patch::crossesItself()
 //! apart.
 void Patch::addSidesAround()
 {
-    const bool ownOnly = mState->chartsMayMeet || !mState->anchored;
+    const bool ownOnly = mState->chartsMayMeet || mState->chartsAreAlone();
     if (ownOnly && mCoversCharts)
         return;
     std::vector<char> counts(mState->chartCount(), !ownOnly);

@@ -186,6 +186,7 @@ private:
             if (mState.chart[c / 3] == moving)
                 cornerAt(mState.x, c) = motion(mState.at(c));
         }
+        mState.chartsAreApart = false;
         mTrial.reset();
         if (attempt({{}, edges}, trianglesPerEdge * edges.size()) && !mState.boundariesOverlap())
             return true;
@@ -259,7 +260,7 @@ std::optional<CutState> resteered(const CutState &map, std::shared_ptr<const Sea
     CutState state = map;
     state.graph = std::move(graph);
     if (state.graph->anchors.all() != map.graph->anchors.all()) {
-        state.anchored = state.chartsMayMeet = false;
+        state.anchored = state.chartsMayMeet = state.chartsAreApart = false;
         state.pinStiffness = 1;
         state.pinReached.assign(state.graph->anchors.all().size(), 0);
     }
