@@ -57,7 +57,8 @@ LinkTaking::LinkTaking(const StudioContext &context, std::function<bool()> mayLe
     connect(&mContext.solver, &SolverController::stateChanged, this, soon);
     connect(&mContext.files.jobs(), &JobRunner::busyChanged, this, soon);
     connect(&mContext.map.jobs(), &JobRunner::busyChanged, this, soon);
-    connect(&mContext.workspace, &Workspace::documentReplaced, this, [this] { mRunAgain = false; });
+    connect(&mContext.workspace, &Workspace::documentReplaced, this,
+            [this] { mRunAgain = mRunAgain && mPaused && mPaused == mContext.workspace.document(); });
 }
 
 void LinkTaking::take(LinkClient *client, const link::Message &message)
@@ -122,6 +123,7 @@ void LinkTaking::proceed()
     SolverController &solver = mContext.solver;
     if (mustPause(mHanded.front()) && (solver.isRunning() || solver.isPausing())) {
         mRunAgain |= solver.isRunning() && !solver.isLimited();
+        mPaused = mContext.workspace.document();
         solver.pauseAtOnce();
         return;
     }

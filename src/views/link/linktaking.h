@@ -61,9 +61,10 @@ private:
     std::function<bool()> mMayLeave;
     std::deque<Handed> mHanded; //!< the first one is being taken
     QTimer mSoon;
-    bool mTaking = false;   //!< a job runs for the first one
-    bool mAsking = false;   //!< the user is asked about it
-    bool mRunAgain = false; //!< a solve was paused for it
+    bool mTaking = false;             //!< a job runs for the first one
+    bool mAsking = false;             //!< the user is asked about it
+    bool mRunAgain = false;           //!< a solve was paused for it
+    QPointer<const Document> mPaused; //!< whose solve that was
 };
 
 } // namespace autocuts
