@@ -2,6 +2,7 @@
 #pragma once
 
 #include "link/handedmodel.h"
+#include "model/document/document.h"
 #include "views/control/studiocontext.h"
 #include "views/link/linkclient.h"
 
