@@ -168,6 +168,8 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutSta
         if (mState.chartCount() > oldCharts) {
             mState.spreadCharts();
             mX = mState.x;
+        } else if (mTopology.hasSplit()) {
+            mState.chartsAreApart = false; // others were joined at the same time
         }
     } else {
         setFlags(change.open, false);

@@ -12,7 +12,7 @@ void TopologyUpdate::update(CutState &state, std::span<const int> opened, std::s
     const std::vector<EdgePair> &pairs = graph.soup->mesh->edgePairs;
     mSearch.resize(graph.triangleCount(), 0);
     mReached.resize(graph.triangleCount());
-    mChartsChanged = false;
+    mChartsChanged = mHasSplit = false;
     updateBoundary(state, opened, closed);
     splitCharts(state, opened);
     for (const int e : closed) {
@@ -112,7 +112,7 @@ void TopologyUpdate::splitChart(CutState &state, std::span<const int> seeds)
         }
         state.chartArea.push_back(area);
         state.chartArea[whole] -= area;
-        mChartsChanged = true;
+        mChartsChanged = mHasSplit = true;
     }
 }
 

@@ -18,6 +18,8 @@ public:
     //! \pre the flags of the state are set as after the change; all else is as before it
     //! \param opened,closed edge pairs whose flags differ from those before
     void update(CutState &state, std::span<const int> opened, std::span<const int> closed);
+    //! True when the last update divided a chart.
+    bool hasSplit() const { return mHasSplit; }
 
 private:
     //! A part of a chart that is being searched.
@@ -45,7 +47,7 @@ private:
     std::vector<int> mSearch, mReached; //!< per triangle: the last search that reached it, and its front
     int mSearches = 0;
     int mFrontsLeft = 0; //!< that have not been merged into others
-    bool mChartsChanged = false;
+    bool mChartsChanged = false, mHasSplit = false;
 };
 
 } // namespace autocuts::search
