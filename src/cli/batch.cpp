@@ -189,7 +189,6 @@ private:
         report.input = mOptions.input;
         report.output = mOptions.output;
         report.status = QStringLiteral("done");
-        report.seconds = double(mClock.elapsed()) / 1000;
         return report;
     }
 
@@ -204,6 +203,7 @@ private:
         MapReport report =
             reportOnFile(asWritten(scene, format.toLower(), mFiles.packingSettings(mOptions).tileHeight()));
         report.status = status;
+        report.seconds = double(mClock.elapsed()) / 1000;
         report.notes += notes + losses;
         return saveReport(reportJson(report));
     }
