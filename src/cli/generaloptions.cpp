@@ -22,8 +22,9 @@ std::vector<CliOption> generalOptions()
         flag(group, u"--show-settings"_s, fieldOf(&CliOptions::showSettings), true,
              u"print the settings that the command would have, in the form of a preset, and do nothing"_s),
         flag(group, u"--dry-run"_s, fieldOf(&CliOptions::dryRun), true,
-             u"read and check what the command needs, print a line for each file that would be written, and "
-             "write nothing; of several files, only say which would be written of which"_s),
+             u"read and check the input, say what -o, --layout and --report would write, and write nothing; "
+             u"of "
+             "several files, only say which would be written of which"_s),
         flag(group, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,
              u"no progress for people and no figures, only warnings and errors; --progress json and --json "
              "are for programs, and are as without it"_s),
