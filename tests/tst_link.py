@@ -15,16 +15,8 @@ import time
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [
-    os.path.join(HERE, "support"),
-    os.path.join(HERE, "..", "python", "autocuts"),
-    os.path.join(HERE, "..", "integrations", "maya"),
-]
-import link
-import mayastandin
-
-mayastandin.install()
-import autocuts_maya
+sys.path.insert(0, os.path.join(HERE, "support"))
+from linkmodules import autocuts_maya, link, mayastandin
 
 STUDIO = os.environ["AUTOCUTS_STUDIO"]
 LONG = 120  # seconds; much longer than anything takes

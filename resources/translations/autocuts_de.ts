@@ -5859,41 +5859,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>%1 is linked</source>
         <translation>%1 ist verbunden</translation>
     </message>
-    <message>
-        <source>the studio has another model</source>
-        <translation>das Studio hat ein anderes Modell</translation>
-    </message>
-    <message>
-        <source>Open this one in Autocuts again</source>
-        <translation>Öffnen Sie dieses noch einmal in Autocuts</translation>
-    </message>
-</context>
-<context>
-    <name>autocuts::LinkTaking</name>
-    <message>
-        <source>the model was not taken over</source>
-        <translation>das Modell wurde nicht übernommen</translation>
-    </message>
-    <message>
-        <source>Hand it over again</source>
-        <translation>Übergeben Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>the studio has another model</source>
-        <translation>das Studio hat ein anderes Modell</translation>
-    </message>
-    <message>
-        <source>Open this one in Autocuts again</source>
-        <translation>Öffnen Sie dieses noch einmal in Autocuts</translation>
-    </message>
-    <message>
-        <source>the user keeps the open session</source>
-        <translation>der Benutzer behält die offene Sitzung</translation>
-    </message>
-    <message>
-        <source>Save or close it first</source>
-        <translation>Speichern oder schließen Sie sie zuerst</translation>
-    </message>
 </context>
 <context>
     <name>autocuts::LiveBake</name>

@@ -37,6 +37,11 @@ Error linkError(const QString &message)
     return {message, {}, 0, u"Use programs of the same version (docs/link.md)"_s};
 }
 
+Error otherModel()
+{
+    return {u"the studio has another model"_s, {}, 0, u"Open this one in Autocuts again"_s};
+}
+
 Result<Message> Message::decode(const QByteArray &fields, const QByteArray &arrays)
 {
     const QJsonDocument document = QJsonDocument::fromJson(fields);

@@ -74,5 +74,7 @@ private:
 
 //! An Error about what came over the link. \param message one line
 Error linkError(const QString &message);
+//! That the studio has another model than the one that a message is about.
+Error otherModel();
 
 } // namespace autocuts::link

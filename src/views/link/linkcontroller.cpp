@@ -114,8 +114,7 @@ bool LinkController::isShared(LinkClient &client, const link::Message &message) 
     if (document && shared.mesh && document->state().scene.mesh == shared.mesh &&
         link::serialOf(message) == shared.serial)
         return true;
-    client.refuse(link::serialOf(message),
-                  {tr("the studio has another model"), {}, 0, tr("Open this one in Autocuts again")});
+    client.refuse(link::serialOf(message), link::otherModel());
     return false;
 }
 

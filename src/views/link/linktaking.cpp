@@ -104,7 +104,7 @@ void LinkTaking::proceed()
     if (mTaking) {
         // The job was cancelled or failed, where it has not answered.
         if (!mContext.files.jobs().isBusy())
-            refuse({tr("the model was not taken over"), {}, 0, tr("Hand it over again")});
+            refuse({u"the model was not taken over"_s, {}, 0, u"Hand it over again"_s});
         return;
     }
     while (!mHanded.empty() && !mHanded.front().client)
@@ -151,7 +151,7 @@ void LinkTaking::takeFirst()
     else if (handed.model.opens)
         open();
     else
-        refuse({tr("the studio has another model"), {}, 0, tr("Open this one in Autocuts again")});
+        refuse(link::otherModel());
 }
 
 void LinkTaking::takeUnchanged()
@@ -198,7 +198,7 @@ void LinkTaking::open()
         return;
     }
     if (!may) {
-        refuse({tr("the user keeps the open session"), {}, 0, tr("Save or close it first")});
+        refuse({u"the user keeps the open session"_s, {}, 0, u"Save or close it first"_s});
         return;
     }
     mRunAgain = false; // another model
