@@ -6,6 +6,12 @@ namespace autocuts::link {
 
 using namespace Qt::Literals::StringLiterals;
 
+namespace {
+
+constexpr qsizetype spareBytes = 4 << 20; // that a reader keeps; chosen by hand
+
+} // namespace
+
 Result<std::optional<Message>> FrameReader::next()
 {
     if (mBytes.size() < frameHeadSize)
@@ -19,7 +25,9 @@ Result<std::optional<Message>> FrameReader::next()
         return std::optional<Message>();
     Result<Message> message =
         Message::decode(mBytes.sliced(frameHeadSize, fields), mBytes.sliced(frameHeadSize + fields, arrays));
-    mBytes = mBytes.mid(end); // gives the memory of a large message back
+    mBytes.remove(0, end);
+    if (mBytes.capacity() - mBytes.size() > spareBytes)
+        mBytes.squeeze(); // gives the memory of a large message back
     if (!message)
         return message.error();
     return std::optional(std::move(message).value());
