@@ -238,6 +238,7 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains(u"broken.obj:1: a vertex has fewer than three coordinates"_s),
                  qPrintable(run.err));
         QVERIFY(place.lineOf(u"crash.ply"_s)[u"message"_s].toString().contains(u"cannot be read"_s));
+        QVERIFY(!place.lineOf(u"crash.ply"_s)[u"message"_s].toString().contains(u"crash.ply: "_s));
         QCOMPARE(place.lineOf(u"001.obj"_s)[u"figures"_s][u"flipped"_s].toInt(-1), 0);
         QCOMPARE(Place::outputsIn(place.out()).size(), std::size_t(6));
     }

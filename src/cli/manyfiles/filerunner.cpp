@@ -207,8 +207,9 @@ FileResult FileRunner::resultOf(Running &running) const
     result.warnings = linesWith(errors, "autocuts-cli: warning: "_L1) +
                       linesWith(running.process.readAllStandardOutput(), "problem: "_L1);
     const auto failed = [&](const QString &status, const QString &message) {
+        const QString place = result.task.input + u": "_s; // is said beside the message
         result.status = status;
-        result.message = message;
+        result.message = message.startsWith(place) ? message.mid(place.size()) : message;
     };
     if (running.late)
         failed(u"timed_out"_s, u"took longer than %1 s"_s.arg(mLimits.secondsPerFile));
