@@ -1,6 +1,7 @@
 #include "model/io/assimpcollada.h"
 
 #include "model/io/collada/xmlspans.h"
+#include "model/io/freenames.h"
 
 #include <assimp/scene.h>
 
@@ -90,9 +91,7 @@ private:
         std::string wanted = name == mNames.end() ? id : name->second;
         if (const auto [place, isNew] = mNew.try_emplace(id); isNew) {
             // Names of their own, since bones and animations find nodes by them.
-            place->second = wanted;
-            for (int number = 2; !mTaken.insert(place->second).second; ++number)
-                place->second = wanted + '_' + std::to_string(number);
+            place->second = mTaken.takeFree(wanted);
         }
         for (unsigned c = 0; c < node.mNumChildren; ++c)
             collect(*node.mChildren[c]);
@@ -113,7 +112,7 @@ private:
 
     const std::map<std::string, std::string> &mNames; //!< by id
     std::map<std::string, std::string> mNew;
-    std::set<std::string> mTaken;
+    FreeNames mTaken;
 };
 
 //! The names of UV sets in their order: those of the first polygons that name one.

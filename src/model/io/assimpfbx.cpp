@@ -212,15 +212,6 @@ FbxRig::FbxRig(FbxNewObjects &objects, const AssimpSource &source, bool fromGltf
     : mObjects(objects), mSource(source), mFromGltf(fromGltf), mBones(boneNames(*source.scene))
 {}
 
-//! A name that no other model has: programs find what is animated by it.
-QString FbxRig::freeName(const QString &wanted)
-{
-    QString name = wanted;
-    for (int number = 2; !mTaken.insert(name).second; ++number)
-        name = QStringLiteral("%1_%2").arg(wanted).arg(number);
-    return name;
-}
-
 void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int, QString> &names)
 {
     const aiScene &scene = *mSource.scene;

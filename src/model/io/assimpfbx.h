@@ -3,6 +3,7 @@
 
 #include "model/io/assimpsource.h"
 #include "model/io/fbxnewobjects.h"
+#include "model/io/freenames.h"
 
 #include <Eigen/Geometry>
 
@@ -60,7 +61,10 @@ private:
         Eigen::Affine3d world = Eigen::Affine3d::Identity();
         std::optional<Eigen::Affine3d> armature; //!< where the skeleton is that the node belongs to
     };
-    QString freeName(const QString &wanted);
+    QString freeName(const QString &wanted)
+    {
+        return QString::fromStdString(mTaken.takeFree(wanted.toStdString()));
+    }
     void addNode(const aiNode &node, const Above &above, const std::map<int, QString> &names);
     void addView(const aiNode &node, std::int64_t model);
     void addCurves(const aiNode &node, std::int64_t layer, const char *property, const char *label,
@@ -73,7 +77,7 @@ private:
     std::vector<std::int64_t> mMeshModels; //!< of nodes, for their meshes
     std::vector<Eigen::Affine3d> mWorld;
     std::vector<Eigen::Affine3d> mArmature;       //!< of bones
-    std::set<QString> mTaken;                     //!< names of models
+    FreeNames mTaken;                             //!< names of models
     std::set<std::string> mBones;                 //!< names of nodes
     std::map<std::string, std::size_t> mNumberOf; //!< of the first node of each name
     std::map<std::string, Eigen::Matrix3d>

@@ -52,18 +52,32 @@ QByteArray gltfBytes(const Scene &scene, const ExportScene &exported, const aiEx
     return jsonText(document.json, "{\n  \n");
 }
 
+//! The names of the UV sets in the place of those that Assimp gives to their sources: <source id="...-texN"
+//! name="...">.
+QByteArray withUvSetNames(const QByteArray &text, const Scene &scene)
+{
+    static const QByteArray key = "<source id=\"";
+    QByteArray named;
+    qsizetype copied = 0;
+    for (qsizetype at = text.indexOf(key); at >= 0; at = text.indexOf(key, at)) {
+        at += key.size();
+        const qsizetype idEnd = text.indexOf('"', at), first = text.indexOf("name=\"", idEnd) + 6;
+        const QByteArray id = text.mid(at, idEnd - at);
+        const qsizetype tag = id.lastIndexOf("-tex");
+        bool isNumber = false;
+        const std::size_t set = tag < 0 ? 0 : id.mid(tag + 4).toUInt(&isNumber);
+        if (!isNumber || first < 6 || set >= scene.uvSets.size())
+            continue;
+        named += text.mid(copied, first - copied) + scene.uvSets[set].name.toHtmlEscaped().toUtf8();
+        copied = text.indexOf('"', first);
+    }
+    return named + text.mid(copied);
+}
+
 //! What Assimp wrote as Collada, with what it leaves out: the names of the UV sets and an animation.
 QByteArray colladaBytes(const Scene &scene, const aiExportDataBlob &blob)
 {
-    QByteArray text = bytesOf(blob).toByteArray();
-    for (std::size_t set = 0; set < scene.uvSets.size() && set < maxAssimpUvSets; ++set) {
-        const QByteArray key = "-tex" + QByteArray::number(static_cast<qulonglong>(set)) + "\" name=\"";
-        const QByteArray name = scene.uvSets[set].name.toHtmlEscaped().toUtf8();
-        for (qsizetype at = text.indexOf(key); at >= 0; at = text.indexOf(key, at)) {
-            at += key.size();
-            text.replace(at, text.indexOf('"', at) - at, name);
-        }
-    }
+    const QByteArray text = withUvSetNames(bytesOf(blob).toByteArray(), scene);
     if (const auto *source = dynamic_cast<const AssimpSource *>(scene.source.get()))
         return QByteArray::fromStdString(
             withAnimations({text.constData(), std::size_t(text.size())}, *source->scene));

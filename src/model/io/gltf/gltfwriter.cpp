@@ -1,5 +1,6 @@
 #include "model/io/gltf/gltfwriter.h"
 
+#include "model/io/freenames.h"
 #include "model/io/gltf/gltfrewriter.h"
 #include "model/io/savefile.h"
 
@@ -255,17 +256,14 @@ bool nameNodesApart(Json &root)
 {
     if (!root.contains("nodes"))
         return false;
-    std::set<std::string> taken;
+    FreeNames taken;
     std::vector<Json *> others;
     for (Json &node : root["nodes"]) {
-        if (const std::string name = textOf(node, "name"); !name.empty() && !taken.insert(name).second)
+        if (const std::string name = textOf(node, "name"); !name.empty() && !taken.take(name))
             others.push_back(&node);
     }
-    for (Json *node : others) {
-        const std::string name = textOf(*node, "name");
-        for (int number = 2; !taken.insert((*node)["name"].get<std::string>()).second; ++number)
-            (*node)["name"] = name + '_' + std::to_string(number);
-    }
+    for (Json *node : others)
+        (*node)["name"] = taken.takeFree(textOf(*node, "name"));
     return !others.empty();
 }
 
