@@ -11,7 +11,6 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <string>
 
 namespace autocuts {
