@@ -22,11 +22,11 @@ LONG = 120  # seconds; much longer than anything takes
 
 
 class StandIn:
-    """A studio that welcomes each program, refuses it or says nothing, and keeps what it is sent."""
+    """A studio that welcomes each program, refuses it, says nothing or dies, and keeps what it is sent."""
 
-    def __init__(self, folder, process, model="", refuses=False, silent=False):
+    def __init__(self, folder, process, model="", refuses=False, silent=False, dies=False):
         self.heard, self.model = [], model
-        self.refuses, self.silent = refuses, silent
+        self.refuses, self.silent, self.dies = refuses, silent, dies
         self.how = "relinked"
         self.path = os.path.join(folder, f"studio-{process}.json")
         told = {"version": 1, "socket": self.path[:-5] + ".socket", "token": "0" * 64, "process": process, "model": model}
@@ -44,7 +44,10 @@ class StandIn:
             except OSError:
                 return
             with program, contextlib.suppress(OSError):  # it may have gone
-                self._answer(program)
+                if not self.dies:
+                    self._answer(program)
+            if self.dies:
+                self.end()
 
     def _answer(self, program):
         while len(head := program.recv(8, socket.MSG_WAITALL)) == 8:
@@ -63,7 +66,8 @@ class StandIn:
                 program.sendall(link.encode("taken", taken, {}))
 
     def end(self):
-        self._server.shutdown(socket.SHUT_RDWR)
+        with contextlib.suppress(OSError):  # it may have died
+            self._server.shutdown(socket.SHUT_RDWR)
         self._server.close()
 
 
@@ -140,6 +144,13 @@ class Places(WithPlaces):
         self.studio(2, refuses=True)
         with self.assertRaisesRegex(link.LinkError, "No. Ask another."):
             link.connect()
+
+    def test_a_studio_that_is_being_killed(self):
+        """The system still takes connections for it, and closes them."""
+        dying = self.studio(2, dies=True)
+        with self.assertRaisesRegex(link.LinkError, "No studio"):
+            link.connect()
+        self.assertFalse(os.path.exists(dying.path))
 
     def test_a_studio_that_starts(self):
         """It may listen before it answers."""

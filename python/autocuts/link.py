@@ -50,6 +50,13 @@ class NoAnswer(LinkError):
     """The studio is there, and has said nothing in time."""
 
 
+class Ended(LinkError):
+    """The studio has ended, or closed the link."""
+
+    def __init__(self):
+        super().__init__("The link to the studio has ended. Open the model in Autocuts again.")
+
+
 class Message:
     """What came over the link: its type, its fields and its arrays by name."""
 
@@ -215,7 +222,7 @@ class Link:
 
     def _send(self, data):
         if self._socket is None:
-            raise LinkError("The link to the studio has ended. Open the model in Autocuts again.")
+            raise Ended()
         self._out += data
         self._write()
 
@@ -372,13 +379,26 @@ class Link:
                 if heard is not None:
                     heard.append(message)
             if self._socket is None:
-                raise LinkError("The link to the studio has ended. Open the model in Autocuts again.")
+                raise Ended()
             if time.monotonic() >= until:
                 raise NoAnswer(f"The studio did not answer within {timeout} s.")
 
 
 def _gone(error):
     return isinstance(error, (ConnectionRefusedError, FileNotFoundError))
+
+
+def _linked(place, program, timeout):
+    """The link to this studio. One that is just being killed takes the connection and closes it: it is asked again,
+    until it is gone."""
+    until = time.monotonic() + timeout
+    while True:
+        try:
+            return Link(place, program, timeout)
+        except Ended:
+            if time.monotonic() >= until:
+                raise
+        time.sleep(0.02)
 
 
 def connect(model=None, program="Python", folder=None, timeout=10, any_model=True):
@@ -390,7 +410,7 @@ def connect(model=None, program="Python", folder=None, timeout=10, any_model=Tru
     refusal = None
     for place in found:
         try:
-            return Link(place, program, timeout)
+            return _linked(place, program, timeout)
         except LinkError as error:
             refusal = refusal or error
         except OSError as error:
