@@ -27,6 +27,8 @@ using Ints = py::array_t<std::int32_t, converted>;
 using Bytes = py::array_t<std::uint8_t, converted>;
 using Floats = py::array_t<float, converted>;
 using Callback = std::optional<std::function<bool(double)>>;
+using MapPointer = std::shared_ptr<autocuts::Map>;
+using MapCallback = std::optional<std::function<void(MapPointer)>>;
 
 template <class Array>
 auto spanOf(const Array &array)
@@ -152,27 +154,39 @@ py::array arrayOf(std::span<const T> values, std::vector<py::ssize_t> shape, con
 }
 
 //! Runs a job on a thread of its own, without the interpreter's lock, so that this one can hear Ctrl-C, which
-//! stops the job. \param work gets the progress function of the job
+//! stops the job; so does an exception of a callback, which is thrown on. \param work gets the progress
+//! function of the job and the one that takes better maps
 template <class Work>
-auto run(const Callback &progress, Work work)
+auto run(const Callback &progress, const MapCallback &better, Work work)
 {
     constexpr std::chrono::milliseconds tick(50);
     std::atomic<bool> stop = false;
-    std::exception_ptr thrown; // by the callback
-    const autocuts::Progress watch = [&](double fraction) {
-        if (stop || !progress)
-            return !stop;
+    std::exception_ptr thrown; // by a callback, which has the interpreter's lock
+    const auto called = [&](auto callback) {
         const py::gil_scoped_acquire lock;
         try {
-            if (!(*progress)(fraction))
+            if (!callback())
                 stop = true;
         } catch (...) {
             thrown = std::current_exception();
             stop = true;
         }
+    };
+    const autocuts::Progress watch = [&](double fraction) {
+        if (!stop && progress)
+            called([&] { return (*progress)(fraction); });
         return !stop;
     };
-    std::packaged_task task([&] { return work(watch); });
+    autocuts::TakeMap take;
+    if (better)
+        take = [&](autocuts::Map map) {
+            if (!stop)
+                called([&] {
+                    (*better)(std::make_shared<autocuts::Map>(std::move(map)));
+                    return true;
+                });
+        };
+    std::packaged_task task([&] { return work(watch, take); });
     auto made = task.get_future();
     {
         const py::gil_scoped_release unlocked;
@@ -190,7 +204,6 @@ auto run(const Callback &progress, Work work)
     return made.get();
 }
 
-using MapPointer = std::shared_ptr<autocuts::Map>;
 using Call = autocuts::Map (*)(const autocuts::Mesh &, const autocuts::Options &, const autocuts::Progress &);
 
 //! A function that makes a map of a mesh.
@@ -199,11 +212,24 @@ void bindCall(py::module_ &module, const char *name, Call call)
     module.def(
         name,
         [call](const Arrays &mesh, const autocuts::Options &options, const Callback &progress) {
-            return run(progress, [&](const autocuts::Progress &watch) {
+            return run(progress, {}, [&](const autocuts::Progress &watch, const autocuts::TakeMap &) {
                 return std::make_shared<autocuts::Map>(call(mesh.view(), options, watch));
             });
         },
         py::arg("mesh"), py::arg("options"), py::arg("progress"));
+}
+
+void bindUnwrap(py::module_ &module)
+{
+    module.def(
+        "unwrap",
+        [](const Arrays &mesh, const autocuts::Options &options, const Callback &progress,
+           const MapCallback &better) {
+            return run(progress, better, [&](const autocuts::Progress &watch, const autocuts::TakeMap &take) {
+                return std::make_shared<autocuts::Map>(autocuts::unwrap(mesh.view(), options, watch, take));
+            });
+        },
+        py::arg("mesh"), py::arg("options"), py::arg("progress"), py::arg("better"));
 }
 
 py::dict figuresOf(const autocuts::Figures &figures)
@@ -352,7 +378,7 @@ void bindTransfer(py::module_ &module)
         [](const Arrays &source, const Arrays &mesh, int match, const autocuts::Options &options,
            const Callback &progress) {
             autocuts::Transferred figures{};
-            const MapPointer map = run(progress, [&](const autocuts::Progress &watch) {
+            const MapPointer map = run(progress, {}, [&](const autocuts::Progress &watch, const auto &) {
                 return std::make_shared<autocuts::Map>(autocuts::transfer(source.view(), mesh.view(),
                                                                           static_cast<autocuts_match>(match),
                                                                           options, &figures, watch));
@@ -377,7 +403,7 @@ void bindBake(py::module_ &module)
             if (cage && cage->size() != mesh.positions.size())
                 refuse("cage_positions must have the shape of positions");
             options.cage_positions = cage ? cage->data() : nullptr;
-            const autocuts::Bake made = run(progress, [&](const autocuts::Progress &watch) {
+            const autocuts::Bake made = run(progress, {}, [&](const autocuts::Progress &watch, const auto &) {
                 const autocuts::Mesh detailed = high ? high->view() : autocuts::Mesh();
                 return autocuts::bake(mesh.view(), high ? &detailed : nullptr, maps, options, watch);
             });
@@ -420,7 +446,7 @@ PYBIND11_MODULE(_autocuts, module)
     bindMap(module);
     const auto take = [](const autocuts::Mesh &mesh, const autocuts::Options &options,
                          const autocuts::Progress &) { return autocuts::take(mesh, options); };
-    bindCall(module, "unwrap", autocuts::unwrap);
+    bindUnwrap(module);
     bindCall(module, "finish", autocuts::finish);
     bindCall(module, "pack", autocuts::pack);
     bindCall(module, "separate", autocuts::separate);

@@ -158,17 +158,17 @@ def escape_keeps_the_best_map():
 
 
 def the_live_map():
-    """The newest map is drawn while it forms, in both modes; the mesh is untouched until Escape takes that map."""
+    """The best map so far is drawn, in both modes; the mesh is untouched until the end."""
     for mode in ("OBJECT", "EDIT"):
-        add("ico_sphere", subdivisions=4)
+        add("ico_sphere", subdivisions=5)
         within("VIEW_3D", bpy.ops.object.mode_set, mode=mode)
         within("VIEW_3D", bpy.ops.ed.undo_push, message="Mode")
         within("IMAGE_EDITOR", bpy.ops.image.view_all)
         before = uvs()
-        begin("unwrap", live=True)
+        begin("unwrap", quality="best")
         running = operators.BackgroundMixin.current
-        yield lambda: running._job.map_count > 1 and overlay._live
-        CHECK.assertIn("maps so far", running.status_text())
+        yield lambda: overlay._live
+        CHECK.assertRegex(running.status_text(), "[0-9]+%, Escape stops")
         CHECK.assertTrue(np.array_equal(uvs(), before))
         yield from picture(f"live_{mode.lower()}")
         # The middle of the longest seam, of those drawn last.
@@ -179,9 +179,7 @@ def the_live_map():
         press("ESC")
         yield job_ended
         CHECK.assertEqual(overlay._live, [])
-        newest = running._job.newest
-        drawn = np.concatenate([newest.seams, newest.inner])[:, 0]
-        CHECK.assertTrue(np.allclose(np.sort(uvs(), axis=0), np.sort(drawn, axis=0), atol=1e-6))
+        CHECK.assertFalse(np.array_equal(uvs(), before))
         CHECK.assertEqual(overlaps(), 0)
         undo()
         CHECK.assertTrue(np.array_equal(uvs(), before))
@@ -208,17 +206,12 @@ def edits_meanwhile():
     yield job_ended
     CHECK.assertFalse(np.array_equal(uvs(), before))
     CHECK.assertEqual(overlaps(), 0)
-    for live in (False, True):
-        add("ico_sphere", subdivisions=3)
-        begin("unwrap", live=live)
-        running = operators.BackgroundMixin.current
-        within("VIEW_3D", bpy.ops.mesh.subdivide)
-        before = uvs()
-        if live:
-            yield lambda: running._job.map_count > 0
-            press("ESC")
-        yield job_ended
-        CHECK.assertTrue(np.array_equal(uvs(), before))
+    add("ico_sphere", subdivisions=3)
+    begin("unwrap")
+    within("VIEW_3D", bpy.ops.mesh.subdivide)
+    before = uvs()
+    yield job_ended
+    CHECK.assertTrue(np.array_equal(uvs(), before))
 
 
 def another_file_ends_a_run():

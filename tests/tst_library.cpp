@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <thread>
 #include <vector>
@@ -62,6 +63,32 @@ struct Cube
     std::vector<std::uint32_t> indices{0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4,
                                        2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
 
+    autocuts::Mesh view() const { return {positions, indices, sizes}; }
+};
+
+//! A torus of quads, with waves.
+struct Torus
+{
+    std::vector<double> positions;
+    std::vector<std::uint32_t> sizes, indices;
+
+    explicit Torus(std::uint32_t count)
+    {
+        const double step = 2 * std::numbers::pi / count;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            for (std::uint32_t j = 0; j < count; ++j) {
+                const double around = i * step, across = j * step;
+                const double radius = 2 + (0.7 + 0.1 * std::sin(5 * around + 3 * across)) * std::cos(across);
+                for (const double x : {radius * std::cos(around), radius * std::sin(around), std::sin(across)})
+                    positions.push_back(x);
+                const std::uint32_t below = (i + 1) % count, right = (j + 1) % count;
+                for (const std::uint32_t v :
+                     {i * count + j, below * count + j, below * count + right, i * count + right})
+                    indices.push_back(v);
+                sizes.push_back(4);
+            }
+        }
+    }
     autocuts::Mesh view() const { return {positions, indices, sizes}; }
 };
 
@@ -187,9 +214,9 @@ private Q_SLOTS:
                              AT(crease_strength), AT(visibility), AT(symmetry), AT(mirror), AT(align),
                              AT(world_up), AT(texture_width), AT(texture_height), AT(margin), AT(tile_border),
                              AT(rotation), AT(keep_scale), AT(pack_time), AT(density), AT(threads),
-                             AT(progress), AT(user), sizeof(Struct)),
+                             AT(progress), AT(user), AT(better), AT(better_user), sizeof(Struct)),
                      offsets(0, 8, 16, 24, 28, 32, 40, 44, 48, 52, 56, 64, 72, 76, 80, 84, 88, 92, 96, 104,
-                             112, 116, 120, 128, 136, 144, 152, 160));
+                             112, 116, 120, 128, 136, 144, 152, 160, 168, 176));
         }
         {
             using Struct = autocuts_bake_options;
@@ -411,6 +438,24 @@ private Q_SLOTS:
         int calls = 0;
         QVERIFY_THROWS_EXCEPTION(
             autocuts::Error, autocuts::bake(mesh, &high, maps, options, [&](double) { return ++calls < 0; }));
+    }
+
+    //! Better maps come while an unwrap goes on, and change nothing of its result.
+    void givesBetterMaps()
+    {
+        const Torus torus(24);
+        std::vector<autocuts::Map> maps;
+        autocuts::Options options;
+        const autocuts::Map watched = autocuts::unwrap(
+            torus.view(), options, {}, [&](autocuts::Map map) { maps.push_back(std::move(map)); });
+        QVERIFY(!maps.empty());
+        for (const autocuts::Map &map : maps) {
+            const autocuts::Figures figures = map.measure();
+            QCOMPARE(figures.flipped_triangles, 0);
+            QCOMPARE(figures.overlapping_pairs, 0);
+        }
+        const autocuts::Map alone = autocuts::unwrap(torus.view(), options);
+        QVERIFY(std::ranges::equal(watched.uvs(), alone.uvs()));
     }
 
     //! A live solve gives ever better maps, follows its steering, and ends when it is told to.

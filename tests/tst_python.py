@@ -20,6 +20,17 @@ QUADS = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4,
 TRIANGLES = np.concatenate([QUADS[:, [0, 1, 2]], QUADS[:, [0, 2, 3]]])
 
 
+def torus(count):
+    """Positions and quads of a torus with waves."""
+    around, across = (axis.ravel() for axis in np.meshgrid(*[np.arange(count)] * 2, indexing="ij"))
+    step = 2 * np.pi / count
+    radius = 2 + (0.7 + 0.1 * np.sin(step * (5 * around + 3 * across))) * np.cos(step * across)
+    points = np.column_stack([radius * np.cos(step * around), radius * np.sin(step * around), np.sin(step * across)])
+    below, right = (around + 1) % count, (across + 1) % count
+    quads = [around * count + across, below * count + across, below * count + right, around * count + right]
+    return points, np.column_stack(quads)
+
+
 def read_obj(path):
     """Positions, flat corners, sizes and UVs per corner."""
     points, vt, corners, sizes, uvs = [], [], [], [], []
@@ -121,6 +132,19 @@ class Unwrapping(unittest.TestCase):
         self.assertTrue(stopped.stopped and len(seen) >= 1 and 0 <= min(seen) and max(seen) <= 1)
         with self.assertRaises(ZeroDivisionError):
             autocuts.unwrap(CUBE, QUADS, progress=lambda share: 1 / 0)
+
+    def test_better_maps_come_meanwhile(self):
+        positions, faces = torus(24)
+        maps = []
+        made = autocuts.unwrap(positions, faces, better=maps.append)
+        self.assertTrue(maps)
+        for map in maps:
+            figures = map.measure()
+            self.assertEqual((figures["flipped_triangles"], figures["overlapping_pairs"]), (0, 0))
+        self.assertIn("<svg", maps[0]._repr_svg_())
+        self.assertTrue(np.array_equal(made.uvs, autocuts.unwrap(positions, faces).uvs))
+        with self.assertRaises(ZeroDivisionError):
+            autocuts.unwrap(positions, faces, better=lambda map: 1 / 0)
 
     def test_threads_of_python(self):
         expected, made = autocuts.unwrap(CUBE, QUADS).uvs, []

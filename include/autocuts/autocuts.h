@@ -147,6 +147,12 @@ typedef enum autocuts_rotation {
  * far. */
 typedef int (*autocuts_progress)(double fraction, void *user);
 
+/* A map of a mesh. */
+typedef struct autocuts_map autocuts_map;
+
+/* Receives a map, to be freed by autocuts_map_free(). */
+typedef void (*autocuts_take_map)(autocuts_map *map, void *user);
+
 /* To be filled by autocuts_options_init() first. Names and defaults are those of autocuts-cli. */
 typedef struct autocuts_options
 {
@@ -179,12 +185,14 @@ typedef struct autocuts_options
     int threads;                /* at least 1 */
     autocuts_progress progress; /* may be NULL */
     void *user;                 /* for progress */
+    /* Receives each better map while autocuts_unwrap() searches, packed into one tile with little effort. It
+     * is called on a thread of its own, never two at a time and not after the end of the call. It has no
+     * effect on the result. May be NULL. */
+    autocuts_take_map better;
+    void *better_user; /* for better */
 } autocuts_options;
 
 AUTOCUTS_API void autocuts_options_init(autocuts_options *options);
-
-/* A map of a mesh. */
-typedef struct autocuts_map autocuts_map;
 
 /* Cuts, maps and packs. After a stop, the map is the best one so far. On AUTOCUTS_OK, *map is to be freed by
  * autocuts_map_free(); otherwise it is NULL and *error says why. error may be NULL. This holds for all

@@ -212,9 +212,17 @@ Map run(Call call, const Mesh &mesh, Options options, const Progress &progress)
 
 } // namespace detail
 
+//! Receives each better map of a search, on another thread; must not throw. See autocuts_options.better.
+using TakeMap = std::function<void(Map map)>;
+
 //! Cuts, maps and packs.
-inline Map unwrap(const Mesh &mesh, const Options &options = {}, const Progress &progress = {})
+inline Map unwrap(const Mesh &mesh, Options options = {}, const Progress &progress = {},
+                  const TakeMap &better = {})
 {
+    if (better) {
+        options.better_user = const_cast<TakeMap *>(&better);
+        options.better = [](autocuts_map *map, void *user) { (*static_cast<const TakeMap *>(user))(Map(map)); };
+    }
     return detail::run(autocuts_unwrap, mesh, options, progress);
 }
 //! Packs the islands of mesh.uvs.

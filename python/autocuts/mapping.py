@@ -31,13 +31,14 @@ def _run(call, positions, faces, progress, keywords):
     return _shown(call(mesh.arrays(), options, _going(progress)), mesh)
 
 
-def unwrap(positions, faces=None, *, progress=None, **options):
+def unwrap(positions, faces=None, *, progress=None, better=None, **options):
     """Cuts, maps and packs a mesh.
 
     positions: (N, 3) numbers, or a Mesh and no faces. faces: (F, 3) or (F, k) vertices; or, with face_sizes of shape (F,),
     the flat list of the vertices of all corners. All other fields of Mesh can be given by name: uvs, objects, materials,
     normals, locked, edges, edge_weights, texel_weights, pins. progress: called with a share from 0 to 1; when it returns
-    False, or on Ctrl-C, the map is the best one so far.
+    False, or on Ctrl-C, the map is the best one so far. better: called with each better Map while the search goes on, on
+    another thread; these maps are packed with little effort.
 
     Options, with the names and defaults of autocuts-cli: quality ("draft", "standard", "best"), max_distortion (above 4),
     seams ("free", "keep", "only"), seams_from (of "cuts", "uv", "sharp", "hard", "materials"), sharp_angle (degrees),
@@ -48,7 +49,10 @@ def unwrap(positions, faces=None, *, progress=None, **options):
 
     Raises ValueError for a mesh or an option that cannot be used, RuntimeError where the margins leave no room.
     """
-    return _run(_autocuts.unwrap, positions, faces, progress, options)
+    wishes, settings = _split(options)
+    mesh = mesh_of(positions, faces, wishes)
+    take = None if better is None else lambda map: better(_shown(map, mesh))
+    return _shown(_autocuts.unwrap(mesh.arrays(), settings, _going(progress), take), mesh)
 
 
 def finish(positions, faces=None, uvs=None, *, progress=None, **options):

@@ -135,6 +135,8 @@ void fill(const autocuts_mesh *mesh, const autocuts_options *options, MapNeed ne
     if (!(own.density >= 0) || !std::isfinite(own.density))
         throw badInput("the density is not a number that can be used", "Use 0 or more texels per unit");
     job.density = own.density;
+    if (own.better)
+        job.better = [take = own.better, user = own.better_user](autocuts_map *map) { take(map, user); };
     if (need == MapNeed::Needed && !mesh->uvs)
         throw badInput("the mesh has no UVs");
     job.snapshot.mesh = meshOf(*mesh);

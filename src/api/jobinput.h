@@ -9,6 +9,7 @@
 #include <autocuts/autocuts.h>
 
 #include <atomic>
+#include <functional>
 
 namespace autocuts::api {
 
@@ -18,6 +19,7 @@ struct Job
     Snapshot snapshot;
     unwrap::UnwrapOptions options; //!< with the packing
     double density = 0;            //!< texels per unit; 0: the islands fill one tile
+    std::function<void(autocuts_map *)> better; //!< takes each better map; empty: nobody wants them
     std::atomic<bool> stop = false;
     JobContext context;
 };

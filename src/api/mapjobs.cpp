@@ -69,8 +69,22 @@ UvMatrix atDensity(const Job &job, const unwrap::PackJob &pack, UvMatrix uv)
     return std::move(packed.uv);
 }
 
+MadeMap mapOfUnwrap(const Job &job, unwrap::UnwrapResult made)
+{
+    MadeMap map = resultOf(job, std::move(made.uv));
+    map->outcome.stopped = made.stopped;
+    map->outcome.within_bound = made.withinBound;
+    map->outcome.hard_share = made.hardShare;
+    setUnmet(made.unmet, map->outcome);
+    return map;
+}
+
 MadeMap unwrapped(Job &job)
 {
+    if (job.better)
+        job.options.better = [&job](const unwrap::UnwrapResult &made) {
+            job.better(mapOfUnwrap(job, made).release());
+        };
     unwrap::UnwrapResult made = unwrap::unwrapMesh(job.snapshot, job.options, job.context);
     if (!made.packed && !made.nothingFree)
         throw noRoom();
@@ -80,12 +94,7 @@ MadeMap unwrapped(Job &job)
             pack.faceFlags = made.flags;
         made.uv = atDensity(job, pack, std::move(made.uv));
     }
-    MadeMap map = resultOf(job, std::move(made.uv));
-    map->outcome.stopped = made.stopped;
-    map->outcome.within_bound = made.withinBound;
-    map->outcome.hard_share = made.hardShare;
-    setUnmet(made.unmet, map->outcome);
-    return map;
+    return mapOfUnwrap(job, std::move(made));
 }
 
 MadeMap finished(Job &job)

@@ -1,8 +1,7 @@
 """The engine behind one interface: the Python module autocuts, or the program autocuts-cli.
 
 Both give the same maps, but of "align". The module knows fewer options; what it lacks goes to the program, which gives no
-live maps. Nothing here touches
-Blender's data, so that a job may run on a thread.
+map before it ends. Nothing here touches Blender's data, so that a job may run on a thread.
 """
 
 import json
@@ -32,13 +31,12 @@ class EngineError(Exception):
 @dataclass
 class Request:
     """A job: a command of autocuts-cli, the Model it works on, and the options that differ from their defaults, named
-    as on the command line with _ in place of -. live: by the live solver, which gives ever better maps. "align" is no
-    command of autocuts-cli: it turns islands to the axes and straightens them."""
+    as on the command line with _ in place of -. "align" is no command of autocuts-cli: it turns islands to the axes and
+    straightens them."""
 
     command: str
     model: object
     options: dict = field(default_factory=dict)
-    live: bool = False
 
 
 @dataclass
@@ -53,7 +51,7 @@ class Outcome:
 
 @dataclass
 class LiveMap:
-    """The newest map of a job that runs, as lines to be drawn: the UVs of both ends of edges."""
+    """The best map so far of a job that runs, as lines to be drawn: the UVs of both ends of edges."""
 
     seams: np.ndarray  # (N, 2, 2) at seams and borders
     inner: np.ndarray  # (M, 2, 2) all others
@@ -76,9 +74,6 @@ _MODULE_PLAIN = {
     *("mirror", "align", "world_up", "texture_size", "margin", "tile_border", "keep_scale", "pack_time", "density"),
     "threads",
 }
-# What the live solver does not take.
-_NOT_LIVE = {"mirror", "world_up", "keep_scale", "density"}
-_LOOK = 0.1  # seconds between two looks at the live solver
 _MODULE_WORDS = {
     "rotation": {"none": "none", "free": "free", "15": 15, "30": 30, "45": 45, "90": 90, "180": 180},
 }
@@ -111,8 +106,6 @@ class ModuleEngine:
         if request.command == "align" and ("density" in request.options or figures.any_flipped(model)):
             return "how to straighten at another density, or flipped triangles"
         for name, value in request.options.items():
-            if request.live and (name in _NOT_LIVE or value == "stack"):
-                return f"live maps with {name} {value}"
             if not (name in _MODULE_PLAIN or name in _MODULE_NAMES or value in _MODULE_WORDS.get(name, {})):
                 return f"{name} {value}"
         return ""
@@ -125,18 +118,12 @@ class ModuleEngine:
 
     def run(self, request, watch):
         try:
-            if request.live:
-                made, stopped = self._solve_live(request, watch)
-            else:
-                made = self._call(request, watch)
-                stopped = made.stopped
+            made = self._call(request, watch)
         except KeyboardInterrupt:
             return Outcome(stopped=True)
         except (ValueError, RuntimeError, MemoryError) as error:
             raise EngineError(str(error)) from error
-        if made is None:
-            return Outcome(stopped=stopped)
-        return Outcome(np.array(made.uvs), made.measure(), self._notes(made.outcome), stopped)
+        return Outcome(np.array(made.uvs), made.measure(), self._notes(made.outcome), made.stopped)
 
     @staticmethod
     def _wishes(request):
@@ -152,29 +139,17 @@ class ModuleEngine:
     def _call(self, request, watch):
         model = request.model
         watching = {} if request.command == "check" else {"progress": watch}
+        if request.command == "unwrap":
+            watching["better"] = lambda made: watch(None, self._drawn(model, made))
         call = getattr(self._module, self._calls[request.command])
         given = {**self._wishes(request), **watching, **self._options(request.options)}
         return call(model.positions, model.corners, uvs=model.uvs, **given)
 
-    def _solve_live(self, request, watch):
-        """The last map of the live solver, None before there is one, and whether it was stopped before nothing was left
-        to gain."""
-        model = request.model
-        # Pins are at the scale of the map that is there.
-        uvs = model.uvs if model.pins.any() else None
-        mesh = self._module.Mesh(model.positions, model.corners, uvs=uvs, **self._wishes(request))
-        live = self._module.LiveSolve(mesh, **self._options(request.options))
-        made = None
-        while watch(None):
-            newest = live.wait(_LOOK)
-            if newest is not None:
-                made = newest
-                lines = figures.map_lines(model.face_sizes, made.uvs)
-                is_seam = made.seams.astype(bool)
-                watch(None, LiveMap(lines[is_seam], lines[~is_seam]))
-            elif live.rests:
-                return made, False
-        return made, True
+    @staticmethod
+    def _drawn(model, made):
+        lines = figures.map_lines(model.face_sizes, made.uvs)
+        is_seam = made.seams.astype(bool)
+        return LiveMap(lines[is_seam], lines[~is_seam])
 
     @staticmethod
     def _notes(outcome):
@@ -235,9 +210,9 @@ class CommandEngine:
     def __init__(self, program):
         self._program = program
 
-    def lacks(self, request):
+    def lacks(self, _request):
         """Why the program cannot do a job; empty when it can."""
-        return "live maps" if request.live else ""
+        return ""
 
     def call(self, words, watch, out=subprocess.DEVNULL):
         """Runs the program. Returns its exit code and its messages. out: a file for what it prints."""

@@ -5,12 +5,11 @@ import threading
 
 class Job:
     """Runs a function on a thread: work(watch), where watch(share, newest=None) takes a share from 0 to 1, or None when
-    there is none to tell, and the newest map, and returns False once the job is to stop with the best that it has."""
+    there is none to tell, and the best map so far, and returns False once the job is to stop with the best that it has."""
 
     def __init__(self, work):
         self.share = 0.0
-        self.newest = None  # the newest map, where the job gives any before it ends
-        self.map_count = 0  # of these maps
+        self.newest = None  # the best map so far, where the job gives any before it ends
         self.result = None
         self.error = None
         self._stop = threading.Event()
@@ -28,7 +27,6 @@ class Job:
             self.share = share
         if newest is not None:
             self.newest = newest
-            self.map_count += 1
         return not self._stop.is_set()
 
     def stop(self):

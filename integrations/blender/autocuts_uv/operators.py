@@ -98,7 +98,7 @@ class MapOperator:
         given.update(self.fixed)
         if given.get("seams", "free") != "free" and "materials" in getattr(self, "seams_from", ()):
             model.cut_between_materials()
-        return engine.Request(self.command, model, given, getattr(self, "live", False))
+        return engine.Request(self.command, model, given)
 
     def work(self, context):
         """The job as a function for a thread, and the parts that its UVs are for."""
@@ -182,9 +182,6 @@ class BackgroundMixin:
     def status_text(self):
         if self._job.stopping:
             return f"{self.progress_text}: stopping"
-        if getattr(self, "live", False):
-            count = _counted(self._job.map_count, "map")
-            return f"{self.progress_text}: {count} so far, Escape keeps the newest one"
         return f"{self.progress_text}: {self._job.share:.0%}, Escape stops with the best map so far"
 
     @property
@@ -226,7 +223,7 @@ class AUTOCUTS_OT_unwrap(BackgroundMixin, MapOperator, bpy.types.Operator):
     bl_label = "Unwrap"
     bl_options = {"REGISTER", "UNDO", "PRESET"}
     names = tuple(options.UNWRAP)
-    __annotations__ = _annotated(options.UNWRAP, options.LIVE)
+    __annotations__ = _annotated(options.UNWRAP)
 
 
 class AUTOCUTS_OT_unwrap_selected(BackgroundMixin, MapOperator, bpy.types.Operator):

@@ -209,15 +209,6 @@ TAKING = {
     "texel_factor": _number(2, 0.125, 8, "Texels per length where the vertex group is 1", "Texel factor"),
 }
 
-# Of the add-on alone, and no preset keeps it.
-LIVE = {
-    "live": _flag(
-        "Draw the map in the UV editor while it forms. The search ends when nothing is left to gain, or with Escape; "
-        "Quality does not count. Needs the Python module",
-        "Live",
-    ),
-}
-
 UNWRAP = {**BOUND, **SEAMING, **SOLVING, **EXPERT, **TEXTURE, **PACKING, **SCOPE}
 PACK = {**TEXTURE, **PACKING, **PLACING, **SCOPE, **ROOM}
 SEPARATE = {**SEPARATING, **TEXTURE, **PACKING, **SCOPE, "tiles": PLACING["tiles"]}

@@ -10,7 +10,6 @@ class AUTOCUTS_PG_settings(bpy.types.PropertyGroup):
 
     __annotations__ = {
         **options.ALL,
-        **options.LIVE,
         "selected": bpy.props.BoolProperty(name="Only selected", description="All other faces keep their UVs"),
         "directory": bpy.props.StringProperty(
             name="Folder", subtype="DIR_PATH", default="//", description="Where baked pictures go"
@@ -81,7 +80,6 @@ class _Main(_Sidebar):
         column = layout.column(align=True)
         column.scale_y = 1.4
         _button(column, settings, "unwrap")
-        layout.prop(settings, "live")
         column = layout.column(align=True)
         _button(column, settings, "unwrap_selected")
         for pair in (("pack", "separate"), ("straighten", "stack"), ("measure", "bake")):
