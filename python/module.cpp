@@ -10,7 +10,9 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <thread>
 
@@ -153,83 +155,153 @@ py::array arrayOf(std::span<const T> values, std::vector<py::ssize_t> shape, con
     return array;
 }
 
-//! Runs a job on a thread of its own, without the interpreter's lock, so that this one can hear Ctrl-C, which
-//! stops the job; so does an exception of a callback, which is thrown on. \param work gets the progress
-//! function of the job and the one that takes better maps
+//! A job on a thread of its own, which runs no Python. It is made, used and ended with the interpreter's
+//! lock.
+template <class Result>
+class Background
+{
+public:
+    //! Gets the progress function of the job, and the one that takes better maps.
+    using Work = std::function<Result(const autocuts::Progress &, const autocuts::TakeMap &)>;
+
+    //! \param stopped from the start: what needs no time is done \param work must refer to no Python objects
+    Background(bool stopped, Work work) : mStop(stopped)
+    {
+        std::packaged_task<Result()> task([this, work = std::move(work)] {
+            return work(
+                [this](double fraction) {
+                    mShare = fraction;
+                    return !mStop;
+                },
+                [this](autocuts::Map map) {
+                    const std::scoped_lock lock(mMutex);
+                    mNewest = std::make_shared<autocuts::Map>(std::move(map));
+                });
+        });
+        mMade = task.get_future().share();
+        mThread = std::thread(std::move(task));
+    }
+    ~Background()
+    {
+        mStop = true;
+        const py::gil_scoped_release unlocked;
+        mThread.join();
+    }
+    double share() const { return mShare; }
+    void stop() { mStop = true; }
+    //! The best map so far that was given out; null before there is one.
+    MapPointer newest()
+    {
+        const std::scoped_lock lock(mMutex);
+        return mNewest;
+    }
+    //! True when the job has ended.
+    bool wait(double seconds) const
+    {
+        const py::gil_scoped_release unlocked;
+        return mMade.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
+    }
+    Result result() const
+    {
+        const py::gil_scoped_release unlocked;
+        return mMade.get();
+    }
+
+private:
+    std::atomic<bool> mStop;
+    std::atomic<double> mShare = 0;
+    std::mutex mMutex; //!< for the map
+    MapPointer mNewest;
+    std::shared_future<Result> mMade;
+    std::thread mThread;
+};
+
+//! What a callback says; false when Ctrl-C comes meanwhile.
+template <class Callback>
+bool heard(Callback callback)
+{
+    try {
+        return callback();
+    } catch (py::error_already_set &error) {
+        if (error.matches(PyExc_KeyboardInterrupt))
+            return false;
+        throw;
+    }
+}
+
+//! Runs a job in the background, looks after it on this thread, and waits for its end. Ctrl-C stops it.
 template <class Work>
 auto run(const Callback &progress, const MapCallback &better, Work work)
 {
-    constexpr std::chrono::milliseconds tick(50);
-    std::atomic<bool> stop = false;
-    std::exception_ptr thrown; // by a callback, which has the interpreter's lock
-    const auto called = [&](auto callback) {
-        const py::gil_scoped_acquire lock;
-        try {
-            if (!callback())
-                stop = true;
-        } catch (...) {
-            thrown = std::current_exception();
-            stop = true;
+    constexpr double tick = 0.05; // seconds
+    using Result = std::invoke_result_t<Work, autocuts::Progress, autocuts::TakeMap>;
+    const bool stopped = progress && !heard([&] { return (*progress)(0); });
+    Background<Result> job(stopped, std::move(work));
+    MapPointer seen;
+    const auto tell = [&] {
+        if (progress && !(*progress)(job.share()))
+            return false;
+        if (const MapPointer newest = job.newest(); better && newest != seen) {
+            seen = newest;
+            (*better)(newest);
         }
+        return true;
     };
-    const autocuts::Progress watch = [&](double fraction) {
-        if (!stop && progress)
-            called([&] { return (*progress)(fraction); });
-        return !stop;
-    };
-    autocuts::TakeMap take;
-    if (better)
-        take = [&](autocuts::Map map) {
-            if (!stop)
-                called([&] {
-                    (*better)(std::make_shared<autocuts::Map>(std::move(map)));
-                    return true;
-                });
-        };
-    std::packaged_task task([&] { return work(watch, take); });
-    auto made = task.get_future();
-    {
-        const py::gil_scoped_release unlocked;
-        const std::jthread worker(std::move(task));
-        while (made.wait_for(tick) != std::future_status::ready) {
-            const py::gil_scoped_acquire lock;
-            if (PyErr_CheckSignals() != 0) {
-                PyErr_Clear();
-                stop = true;
-            }
+    while (!job.wait(tick)) {
+        if (PyErr_CheckSignals() != 0) {
+            PyErr_Clear();
+            job.stop();
         }
+        if (!heard(tell))
+            job.stop();
     }
-    if (thrown)
-        std::rethrow_exception(thrown);
-    return made.get();
+    heard(tell);
+    return job.result();
 }
 
 using Call = autocuts::Map (*)(const autocuts::Mesh &, const autocuts::Options &, const autocuts::Progress &);
 
-//! A function that makes a map of a mesh.
-void bindCall(py::module_ &module, const char *name, Call call)
+//! The functions that make a map of a mesh. \param takes takes better maps; empty: nobody wants them
+MapPointer called(const std::string &name, const autocuts::Mesh &mesh, const autocuts::Options &options,
+                  const autocuts::Progress &watch, const autocuts::TakeMap &takes)
 {
-    module.def(
-        name,
-        [call](const Arrays &mesh, const autocuts::Options &options, const Callback &progress) {
-            return run(progress, {}, [&](const autocuts::Progress &watch, const autocuts::TakeMap &) {
-                return std::make_shared<autocuts::Map>(call(mesh.view(), options, watch));
-            });
-        },
-        py::arg("mesh"), py::arg("options"), py::arg("progress"));
+    static const std::map<std::string, Call> calls{
+        {"finish", autocuts::finish},
+        {"pack", autocuts::pack},
+        {"separate", autocuts::separate},
+        {"align", autocuts::align},
+        {"lightmap", autocuts::lightmap},
+        {"take", [](const auto &m, const auto &o, const auto &) { return autocuts::take(m, o); }}};
+    return std::make_shared<autocuts::Map>(name == "unwrap" ? autocuts::unwrap(mesh, options, watch, takes)
+                                                            : calls.at(name)(mesh, options, watch));
 }
 
-void bindUnwrap(py::module_ &module)
+void bindCalls(py::module_ &module)
 {
     module.def(
-        "unwrap",
-        [](const Arrays &mesh, const autocuts::Options &options, const Callback &progress,
-           const MapCallback &better) {
+        "call",
+        [](const std::string &name, const Arrays &mesh, const autocuts::Options &options,
+           const Callback &progress, const MapCallback &better) {
             return run(progress, better, [&](const autocuts::Progress &watch, const autocuts::TakeMap &take) {
-                return std::make_shared<autocuts::Map>(autocuts::unwrap(mesh.view(), options, watch, take));
+                return called(name, mesh.view(), options, watch, better ? take : autocuts::TakeMap());
             });
         },
-        py::arg("mesh"), py::arg("options"), py::arg("progress"), py::arg("better"));
+        py::arg("name"), py::arg("mesh"), py::arg("options"), py::arg("progress"), py::arg("better"));
+
+    using Job = Background<MapPointer>;
+    py::class_<Job>(module, "Job")
+        .def(py::init([](const std::string &name, const Arrays &mesh, const autocuts::Options &options) {
+                 return std::make_unique<Job>(false,
+                                              [name, &mesh, options](const auto &watch, const auto &take) {
+                                                  return called(name, mesh.view(), options, watch, take);
+                                              });
+             }),
+             py::keep_alive<1, 3>(), py::arg("name"), py::arg("mesh"), py::arg("options"))
+        .def_property_readonly("share", &Job::share)
+        .def_property_readonly("newest", &Job::newest)
+        .def("stop", &Job::stop)
+        .def("wait", &Job::wait, py::arg("seconds"))
+        .def("result", &Job::result);
 }
 
 py::dict figuresOf(const autocuts::Figures &figures)
@@ -378,11 +450,12 @@ void bindTransfer(py::module_ &module)
         [](const Arrays &source, const Arrays &mesh, int match, const autocuts::Options &options,
            const Callback &progress) {
             autocuts::Transferred figures{};
-            const MapPointer map = run(progress, {}, [&](const autocuts::Progress &watch, const auto &) {
-                return std::make_shared<autocuts::Map>(autocuts::transfer(source.view(), mesh.view(),
-                                                                          static_cast<autocuts_match>(match),
-                                                                          options, &figures, watch));
-            });
+            const MapPointer map =
+                run(progress, {}, [&](const autocuts::Progress &watch, const autocuts::TakeMap &) {
+                    return std::make_shared<autocuts::Map>(
+                        autocuts::transfer(source.view(), mesh.view(), static_cast<autocuts_match>(match),
+                                           options, &figures, watch));
+                });
             py::dict said;
             said["faces"] = figures.faces;
             said["copied"] = figures.copied;
@@ -403,10 +476,11 @@ void bindBake(py::module_ &module)
             if (cage && cage->size() != mesh.positions.size())
                 refuse("cage_positions must have the shape of positions");
             options.cage_positions = cage ? cage->data() : nullptr;
-            const autocuts::Bake made = run(progress, {}, [&](const autocuts::Progress &watch, const auto &) {
-                const autocuts::Mesh detailed = high ? high->view() : autocuts::Mesh();
-                return autocuts::bake(mesh.view(), high ? &detailed : nullptr, maps, options, watch);
-            });
+            const autocuts::Bake made =
+                run(progress, {}, [&](const autocuts::Progress &watch, const autocuts::TakeMap &) {
+                    const autocuts::Mesh detailed = high ? high->view() : autocuts::Mesh();
+                    return autocuts::bake(mesh.view(), high ? &detailed : nullptr, maps, options, watch);
+                });
             py::list pictures;
             for (std::size_t i = 0; i < maps.size(); ++i)
                 pictures.append(Floats({py::ssize_t(options.height), py::ssize_t(options.width),
@@ -444,15 +518,7 @@ PYBIND11_MODULE(_autocuts, module)
              py::arg("pins"));
     bindOptions(module);
     bindMap(module);
-    const auto take = [](const autocuts::Mesh &mesh, const autocuts::Options &options,
-                         const autocuts::Progress &) { return autocuts::take(mesh, options); };
-    bindUnwrap(module);
-    bindCall(module, "finish", autocuts::finish);
-    bindCall(module, "pack", autocuts::pack);
-    bindCall(module, "separate", autocuts::separate);
-    bindCall(module, "align", autocuts::align);
-    bindCall(module, "lightmap", autocuts::lightmap);
-    bindCall(module, "take", take);
+    bindCalls(module);
     bindTransfer(module);
     bindBake(module);
     bindLiveSolve(module);

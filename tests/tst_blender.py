@@ -186,7 +186,7 @@ class BlenderTest(unittest.TestCase):
         """The figures of the map of objects."""
         select(*items)
         model = meshdata.model_of(bpy.context, list(items), meshdata.Taking())
-        return engine.CommandEngine(PROGRAM).run(engine.Request("check", model), lambda share: True).figures
+        return jobs.Job(engine.CommandEngine(PROGRAM).run(engine.Request("check", model))).wait().figures
 
     def assertKept(self, before, item):
         after = everything_but_uvs(item)
@@ -623,7 +623,7 @@ class Jobs(BlenderTest):
         model = meshdata.model_of(bpy.context, list(items), meshdata.Taking())
         request = engine.Request("unwrap", model, options_given)
         chosen = engine.engine_for(request, operators.available_engines(bpy.context))
-        return jobs.Job(lambda watch: chosen.run(request, watch)), model.parts
+        return jobs.Job(chosen.run(request)), model.parts
 
     def test_progress_and_the_best_map_so_far(self):
         for kind in ("MODULE", "PROGRAM"):
@@ -631,7 +631,7 @@ class Jobs(BlenderTest):
             bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=5)
             item = bpy.context.object
             job, parts = self.job(item, quality="best")
-            while job.running and job.share < 0.3:
+            while job.step() and job.progress.share < 0.3:
                 time.sleep(0.01)
             self.assertTrue(job.running, kind)
             job.stop()
@@ -640,6 +640,17 @@ class Jobs(BlenderTest):
             self.assertEqual(meshdata.write_uvs(parts, outcome.uvs), [])
             found = self.measured(item)
             self.assertEqual((found["overlapping_pairs"], found["flipped_triangles"]), (0, 0))
+
+    def test_a_closed_job_ends_at_once(self):
+        for kind in ("MODULE", "PROGRAM"):
+            PREFERENCES.engine = kind
+            bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=5)
+            job, _ = self.job(bpy.context.object, quality="best")
+            begin = time.monotonic()
+            job.close()
+            self.assertLess(time.monotonic() - begin, 30, kind)  # the whole job takes longer
+            self.assertFalse(job.step())
+            self.assertIsNone(job.wait())
 
     def test_stopped_before_there_is_a_map(self):
         for kind in ("MODULE", "PROGRAM"):
@@ -660,11 +671,11 @@ class Jobs(BlenderTest):
         item = bpy.context.object
         before = uvs_of(item).copy()
         job, parts = self.job(item, quality="best")
-        while job.running and job.newest is None:
+        while job.step() and job.progress.newest is None:
             time.sleep(0.01)
         self.assertTrue(job.running)
         # A valid map: each side once, at a seam or not.
-        newest = job.newest
+        newest = job.progress.newest
         drawn = np.concatenate([newest.seams, newest.inner])
         self.assertEqual(len(drawn), len(item.data.loops))
         self.assertTrue(np.isfinite(drawn).all() and drawn.min() >= 0 and drawn.max() <= 1)
@@ -710,7 +721,7 @@ class Jobs(BlenderTest):
         item = add_cube()
         model = meshdata.model_of(bpy.context, [item], meshdata.Taking())
         with self.assertRaisesRegex(engine.EngineError, "ended with 1"):
-            engine.CommandEngine("false").run(engine.Request("pack", model), lambda share: True)
+            jobs.Job(engine.CommandEngine("false").run(engine.Request("pack", model))).wait()
 
     def test_stopped_before_the_program_listens(self):
         model = meshdata.model_of(bpy.context, [add_cube()], meshdata.Taking())
@@ -719,7 +730,7 @@ class Jobs(BlenderTest):
             with open(program, "w", encoding="utf-8") as file:
                 file.write("#!/bin/sh\nkill -INT $$\n")
             os.chmod(program, 0o700)
-            outcome = engine.CommandEngine(program).run(engine.Request("pack", model), lambda share: True)
+            outcome = jobs.Job(engine.CommandEngine(program).run(engine.Request("pack", model))).wait()
         self.assertTrue(outcome.stopped)
         self.assertIsNone(outcome.uvs)
 

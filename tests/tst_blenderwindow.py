@@ -17,7 +17,7 @@ import blenderaddon
 bpy.context.preferences.view.show_splash = False
 PREFERENCES = blenderaddon.install()
 
-from autocuts_uv import engine, meshdata, operators, overlay
+from autocuts_uv import engine, jobs, meshdata, operators, overlay
 
 CHECK = unittest.TestCase()
 _TICK = 0.02
@@ -116,7 +116,7 @@ def overlaps():
     item = bpy.context.view_layer.objects.active
     model = meshdata.model_of(bpy.context, [item], meshdata.Taking())
     program = engine.CommandEngine(os.environ["AUTOCUTS_CLI"])
-    figures = program.run(engine.Request("check", model), lambda share: True).figures
+    figures = jobs.Job(program.run(engine.Request("check", model))).wait().figures
     return figures["overlapping_pairs"] + figures["flipped_triangles"]
 
 
@@ -221,7 +221,7 @@ def another_file_ends_a_run():
     job = operators.BackgroundMixin.current._job
     bpy.ops.wm.read_homefile(app_template="")
     yield lambda: job_ended() and not job.running
-    CHECK.assertTrue(job.stopping)
+    CHECK.assertTrue(job.closed)
     yield show_uv_editor()
 
 

@@ -79,7 +79,8 @@ struct Torus
             for (std::uint32_t j = 0; j < count; ++j) {
                 const double around = i * step, across = j * step;
                 const double radius = 2 + (0.7 + 0.1 * std::sin(5 * around + 3 * across)) * std::cos(across);
-                for (const double x : {radius * std::cos(around), radius * std::sin(around), std::sin(across)})
+                for (const double x :
+                     {radius * std::cos(around), radius * std::sin(around), std::sin(across)})
                     positions.push_back(x);
                 const std::uint32_t below = (i + 1) % count, right = (j + 1) % count;
                 for (const std::uint32_t v :

@@ -146,6 +146,26 @@ class Unwrapping(unittest.TestCase):
         with self.assertRaises(ZeroDivisionError):
             autocuts.unwrap(positions, faces, better=lambda map: 1 / 0)
 
+    def test_a_job_in_the_background(self):
+        positions, faces = torus(24)
+        job = autocuts.Job("unwrap", positions, faces)
+        while not job.wait(0.01):
+            self.assertTrue(0 <= job.share <= 1)
+        expected = autocuts.unwrap(positions, faces)
+        self.assertTrue(np.array_equal(job.result().uvs, expected.uvs))
+        self.assertTrue(np.array_equal(job.result().uvs, expected.uvs))
+        self.assertIn("<svg", job.newest._repr_svg_())
+        packed = autocuts.Job("pack", positions, faces, uvs=expected.uvs, margin=16)
+        self.assertTrue(np.array_equal(packed.result().uvs, autocuts.pack(positions, faces, expected.uvs, margin=16).uvs))
+        stopped = autocuts.Job("unwrap", positions, faces, quality="best")
+        stopped.stop()
+        self.assertTrue(stopped.result().stopped)
+        del stopped
+        autocuts.Job("unwrap", *torus(60), quality="best")  # ends at once when nobody has it
+        for name, words in (("tear", "the name of a job"), ("pack", "no UVs")):
+            with self.assertRaisesRegex(ValueError, words):
+                autocuts.Job(name, positions, faces).result()
+
     def test_threads_of_python(self):
         expected, made = autocuts.unwrap(CUBE, QUADS).uvs, []
         threads = [threading.Thread(target=lambda: made.append(autocuts.unwrap(CUBE, QUADS).uvs)) for _ in range(8)]

@@ -221,7 +221,9 @@ inline Map unwrap(const Mesh &mesh, Options options = {}, const Progress &progre
 {
     if (better) {
         options.better_user = const_cast<TakeMap *>(&better);
-        options.better = [](autocuts_map *map, void *user) { (*static_cast<const TakeMap *>(user))(Map(map)); };
+        options.better = [](autocuts_map *map, void *user) {
+            (*static_cast<const TakeMap *>(user))(Map(map));
+        };
     }
     return detail::run(autocuts_unwrap, mesh, options, progress);
 }

@@ -19,6 +19,7 @@ from ._autocuts import Map
 from ._autocuts import version as __version__
 from .baking import bake
 from .mapping import (
+    Job,
     LiveSolve,
     align,
     finish,
@@ -34,6 +35,7 @@ from .mapping import (
 from .mesh import Mesh
 
 __all__ = [
+    "Job",
     "LiveSolve",
     "Map",
     "Mesh",

@@ -25,10 +25,11 @@ def _shown(map, mesh):
     return map
 
 
-def _run(call, positions, faces, progress, keywords):
+def _run(name, positions, faces, progress, keywords, better=None):
     wishes, options = _split(keywords)
     mesh = mesh_of(positions, faces, wishes)
-    return _shown(call(mesh.arrays(), options, _going(progress)), mesh)
+    take = None if better is None else lambda map: better(_shown(map, mesh))
+    return _shown(_autocuts.call(name, mesh.arrays(), options, _going(progress), take), mesh)
 
 
 def unwrap(positions, faces=None, *, progress=None, better=None, **options):
@@ -36,9 +37,9 @@ def unwrap(positions, faces=None, *, progress=None, better=None, **options):
 
     positions: (N, 3) numbers, or a Mesh and no faces. faces: (F, 3) or (F, k) vertices; or, with face_sizes of shape (F,),
     the flat list of the vertices of all corners. All other fields of Mesh can be given by name: uvs, objects, materials,
-    normals, locked, edges, edge_weights, texel_weights, pins. progress: called with a share from 0 to 1; when it returns
-    False, or on Ctrl-C, the map is the best one so far. better: called with each better Map while the search goes on, on
-    another thread; these maps are packed with little effort.
+    normals, locked, edges, edge_weights, texel_weights, pins. progress: called at the start and some 20 times
+    a second with a share from 0 to 1; when it returns False, or on Ctrl-C, the map is the best one so far. better: called with
+    the best Map so far whenever there is a better one, packed with little effort.
 
     Options, with the names and defaults of autocuts-cli: quality ("draft", "standard", "best"), max_distortion (above 4),
     seams ("free", "keep", "only"), seams_from (of "cuts", "uv", "sharp", "hard", "materials"), sharp_angle (degrees),
@@ -49,40 +50,37 @@ def unwrap(positions, faces=None, *, progress=None, better=None, **options):
 
     Raises ValueError for a mesh or an option that cannot be used, RuntimeError where the margins leave no room.
     """
-    wishes, settings = _split(options)
-    mesh = mesh_of(positions, faces, wishes)
-    take = None if better is None else lambda map: better(_shown(map, mesh))
-    return _shown(_autocuts.unwrap(mesh.arrays(), settings, _going(progress), take), mesh)
+    return _run("unwrap", positions, faces, progress, options, better)
 
 
 def finish(positions, faces=None, uvs=None, *, progress=None, **options):
     """Makes a map that is there usable: within the bound, few seams, no overlaps. Arguments as for unwrap()."""
-    return _run(_autocuts.finish, positions, faces, progress, {"uvs": uvs, **options})
+    return _run("finish", positions, faces, progress, {"uvs": uvs, **options})
 
 
 def pack(positions, faces=None, uvs=None, *, progress=None, **options):
     """Packs the islands of a map anew; with alike="stack", copies are laid on each other. Arguments as for unwrap()."""
-    return _run(_autocuts.pack, positions, faces, progress, {"uvs": uvs, **options})
+    return _run("pack", positions, faces, progress, {"uvs": uvs, **options})
 
 
 def separate(positions, faces=None, uvs=None, *, progress=None, **options):
     """Cuts the islands of a map that overlap themselves, and packs. Arguments as for unwrap()."""
-    return _run(_autocuts.separate, positions, faces, progress, {"uvs": uvs, **options})
+    return _run("separate", positions, faces, progress, {"uvs": uvs, **options})
 
 
 def align(positions, faces=None, uvs=None, *, progress=None, **options):
     """Turns islands to the axes and makes straight what is straight on the mesh. Arguments as for unwrap()."""
-    return _run(_autocuts.align, positions, faces, progress, {"uvs": uvs, **options})
+    return _run("align", positions, faces, progress, {"uvs": uvs, **options})
 
 
 def lightmap(positions, faces=None, uvs=None, *, progress=None, **options):
     """A map for light maps of a map: no overlaps, one texel density. Arguments as for unwrap()."""
-    return _run(_autocuts.lightmap, positions, faces, progress, {"uvs": uvs, **options})
+    return _run("lightmap", positions, faces, progress, {"uvs": uvs, **options})
 
 
 def take(positions, faces=None, uvs=None, **options):
     """A map that is there, to be measured or drawn. Arguments as for unwrap()."""
-    return _run(_autocuts.take, positions, faces, None, {"uvs": uvs, **options})
+    return _run("take", positions, faces, None, {"uvs": uvs, **options})
 
 
 def transfer(source, mesh, *, match="auto", progress=None, **options):
@@ -108,6 +106,46 @@ def render_layout(map, size=1024, tile=1001):
     """
     width, height = size if hasattr(size, "__len__") else (size, size)
     return map.draw(width, height, tile)
+
+
+class Job:
+    """A job in the background, on a thread that runs no Python: for programs that look after it from their own event loop.
+
+    name: "unwrap", "finish", "pack", "separate", "align", "lightmap" or "take"; the other arguments are those of the function
+    of this name.
+    """
+
+    _NAMES = ("unwrap", "finish", "pack", "separate", "align", "lightmap", "take")
+
+    def __init__(self, name, positions, faces=None, **options):
+        if name not in self._NAMES:
+            raise ValueError(f"the name of a job is one of {', '.join(self._NAMES)}, not {name!r}")
+        wishes, settings = _split(options)
+        self._mesh = mesh_of(positions, faces, wishes)
+        self._job = _autocuts.Job(name, self._mesh.arrays(), settings)
+
+    @property
+    def share(self):
+        """Its progress, from 0 to 1."""
+        return self._job.share
+
+    @property
+    def newest(self):
+        """The best Map so far of an unwrap, packed with little effort; None before there is one."""
+        made = self._job.newest
+        return None if made is None else _shown(made, self._mesh)
+
+    def stop(self):
+        """Asks it to end soon, with the best map so far."""
+        self._job.stop()
+
+    def wait(self, seconds=0):
+        """Waits for the end. True when it has ended."""
+        return self._job.wait(seconds)
+
+    def result(self):
+        """Waits for the end, and returns the Map or raises what the function would raise."""
+        return _shown(self._job.result(), self._mesh)
 
 
 class LiveSolve:

@@ -17,8 +17,8 @@ namespace autocuts::api {
 struct Job
 {
     Snapshot snapshot;
-    unwrap::UnwrapOptions options; //!< with the packing
-    double density = 0;            //!< texels per unit; 0: the islands fill one tile
+    unwrap::UnwrapOptions options;              //!< with the packing
+    double density = 0;                         //!< texels per unit; 0: the islands fill one tile
     std::function<void(autocuts_map *)> better; //!< takes each better map; empty: nobody wants them
     std::atomic<bool> stop = false;
     JobContext context;

@@ -27,8 +27,8 @@ def _export(context, objects, path):
 
 
 def job(context, program, folder, options):
-    """A function for a thread that bakes the selected objects onto the active one and gives the paths of the pictures.
-    The models are written now."""
+    """A job that bakes the selected objects onto the active one and returns the paths of the pictures. The models are
+    written now."""
     low = context.active_object
     high = [item for item in context.selected_objects if item != low and item.type == "MESH"]
     models = tempfile.TemporaryDirectory(prefix="autocuts_")
@@ -41,12 +41,12 @@ def job(context, program, folder, options):
         _export(context, high, high_path)
         words += ["--high", high_path]
 
-    def work(watch):
+    def steps():
         with models:
             report = os.path.join(models.name, "report.json")
-            code, messages = program.call([*words, "--report", report], watch)
+            code, messages = yield from program.call([*words, "--report", report])
             if code != 0:
                 raise engine.EngineError(messages[-1] if messages else "the bake was stopped")
             return engine.pictures_of(report)
 
-    return work
+    return steps()

@@ -1,7 +1,7 @@
 """The engine behind one interface: the Python module autocuts, or the program autocuts-cli.
 
 Both give the same maps, but of "align". The module knows fewer options; what it lacks goes to the program, which gives no
-map before it ends. Nothing here touches Blender's data, so that a job may run on a thread.
+map before it ends. Nothing here touches Blender's data. Jobs are generators, see jobs.
 """
 
 import json
@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import figures, session
+from . import figures, jobs, session
 
 try:
     import pty
@@ -116,11 +116,17 @@ class ModuleEngine:
             options[_MODULE_NAMES.get(name, name)] = _MODULE_WORDS.get(name, {}).get(value, value)
         return options
 
-    def run(self, request, watch):
+    def run(self, request):
         try:
-            made = self._call(request, watch)
-        except KeyboardInterrupt:
-            return Outcome(stopped=True)
+            job = self._begun(request)
+            shown = lines = None
+            while not job.wait():
+                newest = job.newest
+                if newest is not shown:
+                    shown, lines = newest, self._drawn(request.model, newest)
+                if (yield jobs.Progress(job.share, lines)):
+                    job.stop()
+            made = job.result()
         except (ValueError, RuntimeError, MemoryError) as error:
             raise EngineError(str(error)) from error
         return Outcome(np.array(made.uvs), made.measure(), self._notes(made.outcome), made.stopped)
@@ -136,14 +142,10 @@ class ModuleEngine:
             wishes["pins"] = np.column_stack([pinned, model.uvs[pinned]])
         return wishes
 
-    def _call(self, request, watch):
+    def _begun(self, request):
         model = request.model
-        watching = {} if request.command == "check" else {"progress": watch}
-        if request.command == "unwrap":
-            watching["better"] = lambda made: watch(None, self._drawn(model, made))
-        call = getattr(self._module, self._calls[request.command])
-        given = {**self._wishes(request), **watching, **self._options(request.options)}
-        return call(model.positions, model.corners, uvs=model.uvs, **given)
+        given = {**self._wishes(request), **self._options(request.options)}
+        return self._module.Job(self._calls[request.command], model.positions, model.corners, uvs=model.uvs, **given)
 
     @staticmethod
     def _drawn(model, made):
@@ -177,29 +179,63 @@ def command_words(options):
 _ALIGNING = {"seams": "only", "seams_from": "uv", "align": "on", "quality": "draft"}
 
 
-class _Progress:
-    """Follows what autocuts-cli says on a terminal: a line that it overwrites, and messages."""
+class _Said:
+    """What autocuts-cli says on a terminal: a line that it overwrites, and messages."""
 
     _share = re.compile(rb"(\d+) %")
     _origin = re.compile(r"autocuts-cli: (warning: |note: )?")
 
-    def __init__(self, watch):
-        self._watch = watch
+    def __init__(self):
         self.messages = []
+        self.share = 0.0
         self._rest = b""
 
     def take(self, data):
-        """Takes bytes as they come. False when the job is to stop."""
+        """Takes bytes as they come."""
         *lines, self._rest = re.split(rb"[\r\n]+", self._rest + data)
-        goes_on = True
         for line in lines:
             share = self._share.search(line)
             text = line.decode(errors="replace").strip()
             if self._origin.match(text):
                 self.messages.append(self._origin.sub("", text))
             elif share:
-                goes_on = self._watch(int(share[1]) / 100) is not False
-        return goes_on and self._watch(None) is not False
+                self.share = int(share[1]) / 100
+
+
+class _Terminal:
+    """Where autocuts-cli says what it has to say: a terminal, or without any a file."""
+
+    def __init__(self):
+        if pty:
+            self._own, self.end = pty.openpty()
+            os.set_blocking(self._own, False)
+        else:
+            self._file = tempfile.TemporaryFile()
+            self.end = self._file.fileno()
+
+    def started(self):
+        """The program has its end."""
+        if pty:
+            os.close(self.end)
+
+    def read(self):
+        """What was said since the last call; without a terminal nothing before the end."""
+        if not pty:
+            return b""
+        try:
+            return os.read(self._own, 1 << 16)
+        except OSError:  # nothing now, or the other end is closed
+            return b""
+
+    def close(self):
+        """What is left, at the end of the program."""
+        if pty:
+            rest = b"".join(iter(self.read, b""))
+            os.close(self._own)
+            return rest
+        self._file.seek(0)
+        with self._file as file:
+            return file.read()
 
 
 class CommandEngine:
@@ -214,41 +250,27 @@ class CommandEngine:
         """Why the program cannot do a job; empty when it can."""
         return ""
 
-    def call(self, words, watch, out=subprocess.DEVNULL):
-        """Runs the program. Returns its exit code and its messages. out: a file for what it prints."""
-        terminal, end = pty.openpty() if pty else (None, subprocess.PIPE)
-        progress = _Progress(watch)
+    def call(self, words, out=subprocess.DEVNULL):
+        """Runs the program, as a job. Returns its exit code and its messages. out: a file for what it prints."""
+        terminal, said, asked = _Terminal(), _Said(), False
         with subprocess.Popen(
-            [self._program, *words], stdin=subprocess.DEVNULL, stdout=out, stderr=end
+            [self._program, *words], stdin=subprocess.DEVNULL, stdout=out, stderr=terminal.end
         ) as process:
-            if terminal is None:
-                progress.take(process.stderr.read() + b"\n")
-            else:
-                os.close(end)
-                self._follow(process, terminal, progress)
-            code = process.wait()
+            terminal.started()
+            try:
+                while process.poll() is None:
+                    said.take(terminal.read())
+                    if (yield jobs.Progress(said.share)) and not asked:
+                        process.send_signal(signal.SIGINT)
+                        asked = True
+            except GeneratorExit:
+                process.terminate()
+                raise
+        said.take(terminal.close() + b"\n")
         # Stopped before the program listens to it.
-        return 130 if code == -signal.SIGINT else code, progress.messages
+        return 130 if process.returncode == -signal.SIGINT else process.returncode, said.messages
 
-    def _follow(self, process, terminal, progress):
-        import select
-
-        asked = False
-        with os.fdopen(terminal, "rb", buffering=0) as source:
-            while True:
-                ready = select.select([source], [], [], 0.1)[0]
-                try:
-                    data = source.read(4096) if ready else b""
-                except OSError:  # how Linux says that the other end is closed
-                    break
-                if ready and not data:
-                    break
-                if not progress.take(data) and not asked:
-                    process.send_signal(signal.SIGINT)
-                    asked = True
-        progress.take(b"\n")
-
-    def run(self, request, watch):
+    def run(self, request):
         with tempfile.TemporaryDirectory(prefix="autocuts_") as folder:
             model, made, report = (os.path.join(folder, name) for name in ("in.acproj", "out.acproj", "report.json"))
             command, options = request.command, request.options
@@ -257,9 +279,9 @@ class CommandEngine:
             words = [command, model, *self._scope_words(request, model), *command_words(options)]
             if request.command == "check":
                 with open(report, "wb") as out:
-                    code, messages = self.call([*words, "--json"], watch, out)
+                    code, messages = yield from self.call([*words, "--json"], out)
             else:
-                code, messages = self.call([*words, "-o", made, "--report", report], watch)
+                code, messages = yield from self.call([*words, "-o", made, "--report", report])
             messages = [message.removeprefix(f"{model}: ") for message in messages]
             if code not in (0, 3, 130):
                 raise EngineError(messages[-1] if messages else f"autocuts-cli ended with {code}")

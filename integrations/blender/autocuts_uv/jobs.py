@@ -1,53 +1,64 @@
-"""Jobs on a thread, so that Blender stays usable."""
+"""Jobs in the background, so that Blender stays usable.
 
-import threading
+No Python runs on a thread: Blender's own calls take the interpreter's lock for theirs when a thread has it, and crash. A job
+is a generator. It starts its work in a process or in the module, then yields, each time it is asked, what there is to tell;
+True sent to it asks it to end soon with the best that it has. What it returns is the result.
+"""
+
+import time
+from dataclasses import dataclass
+
+_REST = 0.01  # seconds
+
+
+@dataclass
+class Progress:
+    """What a job that runs has to tell."""
+
+    share: float = 0.0  # from 0 to 1
+    newest: object = None  # the best map so far, where the job gives any before it ends
 
 
 class Job:
-    """Runs a function on a thread: work(watch), where watch(share, newest=None) takes a share from 0 to 1, or None when
-    there is none to tell, and the best map so far, and returns False once the job is to stop with the best that it has."""
+    """Drives a job, by calls of step()."""
 
-    def __init__(self, work):
-        self.share = 0.0
-        self.newest = None  # the best map so far, where the job gives any before it ends
-        self.result = None
-        self.error = None
-        self._stop = threading.Event()
-        self._thread = threading.Thread(target=self._run, args=(work,), daemon=True)
-        self._thread.start()
+    def __init__(self, steps):
+        self.progress = Progress()
+        self.running = True
+        self.stopping = False
+        self.closed = False
+        self._steps = steps
+        self._result = None
+        self._error = None
+        self._advance(None)
 
-    def _run(self, work):
+    def _advance(self, sent):
         try:
-            self.result = work(self._watch)
-        except Exception as error:  # it is told on the main thread
-            self.error = error
+            self.progress = self._steps.send(sent)
+        except StopIteration as end:
+            self.running, self._result = False, end.value
+        except Exception as error:  # told by wait()
+            self.running, self._error = False, error
 
-    def _watch(self, share, newest=None):
-        if share is not None:
-            self.share = share
-        if newest is not None:
-            self.newest = newest
-        return not self._stop.is_set()
+    def step(self):
+        """Looks after the job. True while it runs."""
+        if self.running:
+            self._advance(self.stopping)
+        return self.running
 
     def stop(self):
         """Asks the job to end soon with the best that it has."""
-        self._stop.set()
+        self.stopping = True
 
-    @property
-    def stopping(self):
-        return self._stop.is_set()
-
-    @property
-    def running(self):
-        return self._thread.is_alive()
-
-    def join(self):
-        """Waits for the end."""
-        self._thread.join()
+    def close(self):
+        """Ends the job at once, without a result."""
+        self.closed, self.running = True, False
+        self._steps.close()
 
     def wait(self):
         """Waits for the end. Returns the result or raises what the job raised."""
-        self.join()
-        if self.error:
-            raise self.error
-        return self.result
+        while self.step():
+            time.sleep(_REST)
+        if self._error:
+            raise self._error
+        return self._result

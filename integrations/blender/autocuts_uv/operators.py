@@ -100,11 +100,11 @@ class MapOperator:
             model.cut_between_materials()
         return engine.Request(self.command, model, given)
 
-    def work(self, context):
-        """The job as a function for a thread, and the parts that its UVs are for."""
+    def job(self, context):
+        """The job, begun, and the parts that its UVs are for."""
         request = self.request(context)
         chosen = engine.engine_for(request, available_engines(context))
-        return lambda watch: chosen.run(request, watch), request.model.parts
+        return jobs.Job(chosen.run(request)), request.model.parts
 
     def finish(self, parts, outcome):
         """Writes what came of a job, and says what there is to say."""
@@ -125,25 +125,24 @@ class MapOperator:
 
     def execute(self, context):
         try:
-            work, parts = self.work(context)
-            return self.finish(parts, work(lambda *_: True))
+            job, parts = self.job(context)
+            return self.finish(parts, job.wait())
         except (Failure, engine.EngineError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
 
 
 class BackgroundMixin:
-    """Runs an operator's job on a thread while Blender stays usable. Escape stops it with the best map so far."""
+    """Looks after an operator's job from a timer, while Blender stays usable. Escape stops it with the best map so far."""
 
     current = None  # the operator whose job runs
 
     def invoke(self, context, _event):
         try:
-            work, self._parts = self.work(context)
+            self._job, self._parts = self.job(context)
         except (Failure, engine.EngineError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self._job = jobs.Job(work)
         self._drawn = None
         self._timer = context.window_manager.event_timer_add(_TICK, window=context.window)
         self._workspace = context.workspace.name
@@ -156,13 +155,16 @@ class BackgroundMixin:
             self._job.stop()
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
+        runs = self._job.step()
         self._show(context, self.status_text())
-        if self._job.newest is not self._drawn:
-            self._drawn = self._job.newest
+        if self._job.progress.newest is not self._drawn:
+            self._drawn = self._job.progress.newest
             overlay.show_live(self._drawn)
-        if self._job.running:
+        if runs:
             return {"PASS_THROUGH"}
         self._end(context)
+        if self._job.closed:
+            return {"CANCELLED"}
         try:
             return self.finish(self._parts, self._job.wait())
         except (Failure, engine.EngineError) as error:
@@ -171,23 +173,22 @@ class BackgroundMixin:
 
     def cancel(self, context):
         """Blender ends the operator, for instance when another file is opened."""
-        self._job.stop()
+        self._job.close()
         self._end(context)
 
     def end_now(self):
         """Ends the job without its map."""
-        self._job.stop()
-        self._job.join()
+        self._job.close()
 
     def status_text(self):
         if self._job.stopping:
             return f"{self.progress_text}: stopping"
-        return f"{self.progress_text}: {self._job.share:.0%}, Escape stops with the best map so far"
+        return f"{self.progress_text}: {self._job.progress.share:.0%}, Escape stops with the best map so far"
 
     @property
     def share(self):
         """Progress of the job, 0 to 1."""
-        return self._job.share
+        return self._job.progress.share
 
     def stop(self):
         """Asks the job to end with the best that it has."""
@@ -342,8 +343,8 @@ class AUTOCUTS_OT_bake(BackgroundMixin, bpy.types.Operator):
             return False
         return True
 
-    def work(self, context):
-        """The job as a function for a thread; it gives the pictures."""
+    def job(self, context):
+        """The job, begun; it gives the pictures."""
         given = options.given(self, options.BAKE)
         size = image_size(context) if self.use_image_size else None
         if size:
@@ -353,7 +354,7 @@ class AUTOCUTS_OT_bake(BackgroundMixin, bpy.types.Operator):
             raise engine.EngineError("Bakes need autocuts-cli: say in the preferences of this add-on where it is")
         folder = bpy.path.abspath(self.directory) or bpy.app.tempdir
         os.makedirs(folder, exist_ok=True)
-        return baking.job(context, programs[0], folder, given), None
+        return jobs.Job(baking.job(context, programs[0], folder, given)), None
 
     def finish(self, _parts, pictures):
         for path in pictures:
@@ -366,8 +367,8 @@ class AUTOCUTS_OT_bake(BackgroundMixin, bpy.types.Operator):
 
     def execute(self, context):
         try:
-            work, _ = self.work(context)
-            return self.finish(None, work(lambda share: True))
+            job, _ = self.job(context)
+            return self.finish(None, job.wait())
         except engine.EngineError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
