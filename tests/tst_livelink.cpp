@@ -301,6 +301,29 @@ private Q_SLOTS:
         QCOMPARE(program.waitFor("maps").fields().value("serial"_L1).toInt(), 3);
     }
 
+    //! A drag in the other program hands over many states.
+    void statesOfOneEditAreOneEntry()
+    {
+        LinkedStudio studio;
+        LinkedProgram program(studio.place);
+        QVERIFY(program.enter(studio.place));
+        const Scene scene = cube();
+        program.hand(meshMessage(scene, 1, true));
+        UndoStack &history = studio.document()->undoStack();
+        const int entries = history.count();
+        for (int state = 1; state <= 3; ++state)
+            QCOMPARE(how(program.hand(meshMessage(bent(scene, 0.1 * state), 1 + state, false))), u"relinked"_s);
+        QCOMPARE(history.count(), entries + 1);
+        history.undo();
+        QCOMPARE(studio.document()->mesh().positions, scene.mesh->positions);
+        history.redo();
+        QCOMPARE(studio.document()->mesh().positions, bent(scene, 0.1 * 3).mesh->positions);
+        // What the artist does in between stays an entry of its own.
+        studio.setCut(someEdge(link::VertexPairs(*scene.mesh), *scene.mesh, 3), true);
+        QCOMPARE(how(program.hand(meshMessage(bent(scene, .4), 5, false))), u"relinked"_s);
+        QCOMPARE(history.count(), entries + 3);
+    }
+
     void handWorkOfTheOtherProgramIsAnUndoableEdit()
     {
         LinkedStudio studio;

@@ -22,6 +22,8 @@ public:
 protected:
     void apply() override { exchangeModel(*mOther); }
     void revert() override { exchangeModel(*mOther); }
+    //! The model between the two is forgotten.
+    bool absorb(const DocumentCommand &newer) override { return newer.commandId() == commandId(); }
     void writePayload(QCborMap &) const override {}
     QString label() const override;
     qint64 payloadBytes() const override;

@@ -253,7 +253,9 @@ int SceneContent::refresh()
         return parts;
     }
     const MeshParts &own = meshParts();
-    if (parts & Vertices)
+    if ((parts & Vertices) && mAsMap) // drawn without places and light
+        mVertices.assign(static_cast<std::size_t>(own.mesh->soupCornerCount()), {});
+    else if (parts & Vertices)
         mVertices = soupVertices(*own.mesh, document->state().scene.hardEdges, own.frame);
     if (parts & Uvs) {
         mUvs = soupUvs(uv());

@@ -363,7 +363,7 @@ void FileController::relink(const QString &meshPath, bool tellEdited)
         return;
     const double tileHeight = mWorkspace.document()->packingSettings().tileHeight();
     const bool started = relinkTo(
-        meshPath, [=](const std::atomic<bool> &stop) { return readMesh(meshPath, &stop, tileHeight); },
+        meshPath, 0, [=](const std::atomic<bool> &stop) { return readMesh(meshPath, &stop, tileHeight); },
         [this, tellEdited](RelinkEnd end, const Result<QStringList> &lost) {
             if (!lost && (tellEdited || end != RelinkEnd::Edited))
                 Q_EMIT failed(lost.error());
@@ -373,10 +373,10 @@ void FileController::relink(const QString &meshPath, bool tellEdited)
         tellBusy(meshPath);
 }
 
-bool FileController::relinkHanded(const Scene &scene, const Taken &taken)
+bool FileController::relinkHanded(const Scene &scene, quint64 gesture, const Taken &taken)
 {
     return relinkTo(
-        scene.path,
+        scene.path, gesture,
         [scene, own = mWorkspace.document()->state().scene](const std::atomic<bool> &) {
             return completedHanded(scene, own);
         },
@@ -384,7 +384,8 @@ bool FileController::relinkHanded(const Scene &scene, const Taken &taken)
 }
 
 //! \pre a document is open
-bool FileController::relinkTo(const QString &path, const ReadModel &read, const Relinking &ended)
+bool FileController::relinkTo(const QString &path, quint64 gesture, const ReadModel &read,
+                              const Relinking &ended)
 {
     const Document *document = mWorkspace.document();
     return mJobs.start(
@@ -395,7 +396,7 @@ bool FileController::relinkTo(const QString &path, const ReadModel &read, const 
                 return scene.error();
             return relinkDocument(state, std::move(scene).value(), [&job] { return job.stop().load(); });
         },
-        [this, ended, token = document->token()](const Result<Relinked> &linked) {
+        [this, gesture, ended, token = document->token()](const Result<Relinked> &linked) {
             if (!linked)
                 return ended(RelinkEnd::Failed, linked.error());
             const QString file = linked->state.scene.path;
@@ -407,15 +408,17 @@ bool FileController::relinkTo(const QString &path, const ReadModel &read, const 
                                    file, 0, tr("Re-link it again and wait until it is read")});
             if (const QString problem = linked->state.validate(); !problem.isEmpty())
                 return ended(RelinkEnd::Failed, Error{problem, file, 0, {}});
-            ended(RelinkEnd::Done, adoptRelinked(linked.value()));
+            ended(RelinkEnd::Done, adoptRelinked(linked.value(), gesture));
         });
 }
 
 //! \returns what is lost \pre the document is in the state that was re-linked
-QStringList FileController::adoptRelinked(const Relinked &linked)
+QStringList FileController::adoptRelinked(const Relinked &linked, quint64 gesture)
 {
     const bool losesSource = mWorkspace.document()->state().scene.source && !linked.state.scene.source;
-    pushCommand(std::make_unique<ReplaceModel>(*mWorkspace.document(), linked.state));
+    auto command = std::make_unique<ReplaceModel>(*mWorkspace.document(), linked.state);
+    command->setGesture(gesture);
+    pushCommand(std::move(command));
     const QString name = QFileInfo(linked.state.scene.path).fileName();
     QStringList lines = linked.report.lines();
     if (losesSource)

@@ -78,9 +78,10 @@ public:
     void relink(const QString &meshPath, bool tellEdited = true);
     //! What became of a model: what is lost, one line each, or why it was not taken.
     using Taken = std::function<void(const Result<QStringList> &lost)>;
-    //! The same for a model that another program hands over. \param taken is not called when the job is
-    //! cancelled or fails \returns false when another file is being read or written
-    bool relinkHanded(const Scene &scene, const Taken &taken);
+    //! The same for a model that another program hands over. \param gesture those of one gesture are one entry
+    //! of the history \param taken is not called when the job is cancelled or fails \returns false when another
+    //! file is being read or written
+    bool relinkHanded(const Scene &scene, quint64 gesture, const Taken &taken);
     //! Opens a model that was made or read. \param prepare changes the state that it begins with
     //! \returns why it cannot be opened
     Result<Done> adopt(Scene scene, const std::function<void(DocumentState &)> &prepare = {});
@@ -129,7 +130,7 @@ private:
     using ReadModel = std::function<Result<Scene>(const std::atomic<bool> &stop)>;
     //! Receives what is lost, or why the model was not taken.
     using Relinking = std::function<void(RelinkEnd end, const Result<QStringList> &lost)>;
-    bool relinkTo(const QString &path, const ReadModel &read, const Relinking &ended);
+    bool relinkTo(const QString &path, quint64 gesture, const ReadModel &read, const Relinking &ended);
     void adoptFile(Scene scene);
     void takeFile(const QString &path, const FileStamp &stamp, std::shared_ptr<SessionLock> lock);
     std::function<QStringList(bool ownModel)> filesToKeep() const;
@@ -139,7 +140,7 @@ private:
     void tellBusy(const QString &path);
     void tellNotes(const QStringList &notes);
     void tellWritten(const Result<Done> &written, const QString &path);
-    QStringList adoptRelinked(const Relinked &linked);
+    QStringList adoptRelinked(const Relinked &linked, quint64 gesture);
     void saveForRecovery(const QString &path, const Autosave::Saved &saved);
     SessionToSave sessionNow(const QString &sessionPath);
     void endAutosave();

@@ -41,7 +41,7 @@ public:
     void sendBytes(const QByteArray &frames);
     //! Says that something was not done. \param serial of the model that it was about
     void refuse(int serial, const Error &error);
-    //! Writes as much as fits at once, for what ends now.
+    //! Writes as much as fits at once, in place of when the event loop comes to it.
     void flush();
     //! Says why, and ends the connection.
     void end(const Error &reason);

@@ -7,6 +7,7 @@
 
 #include <QPointer>
 
+#include <algorithm>
 #include <utility>
 
 namespace autocuts {
@@ -29,7 +30,6 @@ LinkSending::LinkSending(const StudioContext &context, Clients clients, QObject 
     : QObject(parent), mContext(context), mClients(std::move(clients))
 {
     mSoon.setSingleShot(true);
-    mSoon.setInterval(togetherFor);
     connect(&mSoon, &QTimer::timeout, this, &LinkSending::sendNow);
     connect(&mContext.workspace, &Workspace::documentReplaced, this, &LinkSending::sendSoon);
     connect(&mContext.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
@@ -47,8 +47,11 @@ LinkSending::LinkSending(const StudioContext &context, Clients clients, QObject 
 
 void LinkSending::sendSoon()
 {
-    if (!mSoon.isActive())
-        mSoon.start();
+    const std::vector<LinkClient *> clients = mClients();
+    if (std::ranges::any_of(clients, [](const LinkClient *client) { return client->asks; }))
+        mSoon.start(0);
+    else if (!mSoon.isActive())
+        mSoon.start(togetherFor);
 }
 
 void LinkSending::sendNow()
@@ -118,6 +121,7 @@ void LinkSending::sendTo(LinkClient &client)
         if (to->revision == revision) {
             to->shared = std::move(compared.shared);
             to->sendBytes(compared.frames);
+            to->flush();
         }
         if (std::exchange(to->isLate, false) || to->revision != revision)
             self->sendSoon();

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int mostTries = 20; // of a re-link that edits overtake; chosen by hand
 constexpr int patience = 100; // milliseconds until a dialog or a drag is looked for again; chosen by hand
+constexpr int oneEdit = 1500; // milliseconds between two states of one edit, such as a drag; chosen by hand
 
 //! True while a dialog may hold the document, or a drag changes it.
 bool userIsBusy()
@@ -165,9 +166,12 @@ void LinkTaking::relink()
 {
     mTaking = true;
     ++mHanded.front().tries;
+    Document &document = *mContext.workspace.document();
+    if (mEdited != &document || !mSinceEdit.isValid() || mSinceEdit.elapsed() > oneEdit)
+        mGesture = document.undoStack().newGesture();
     const bool started = mContext.files.relinkHanded(
-        mHanded.front().model.scene, [this, before = mContext.workspace.document()->token()](
-                                         const Result<QStringList> &lost) { relinked(lost, before); });
+        mHanded.front().model.scene, mGesture,
+        [this, before = document.token()](const Result<QStringList> &lost) { relinked(lost, before); });
     if (!started)
         mTaking = false; // another file was faster: when that is read
 }
@@ -182,6 +186,8 @@ void LinkTaking::relinked(const Result<QStringList> &lost, const StateToken &bef
     } else if (!lost) {
         refuse(lost.error());
     } else {
+        mEdited = mContext.workspace.document();
+        mSinceEdit.start();
         share(How::Relinked);
         answer(How::Relinked, lost.value());
     }
@@ -249,6 +255,7 @@ void LinkTaking::answer(How how, const QStringList &lost)
                                                    : u"unchanged"_s);
         taken.set(u"lost"_s, QJsonArray::fromStringList(lost));
         client->send(taken);
+        client->flush(); // before the views are drawn
         client->wasLeft = false;
         Q_EMIT this->taken(client);
     }

@@ -6,6 +6,7 @@
 #include "views/control/studiocontext.h"
 #include "views/link/linkclient.h"
 
+#include <QElapsedTimer>
 #include <QPointer>
 #include <QTimer>
 
@@ -66,6 +67,9 @@ private:
     bool mAsking = false;             //!< the user is asked about it
     bool mRunAgain = false;           //!< a solve was paused for it
     QPointer<const Document> mPaused; //!< whose solve that was
+    QPointer<const Document> mEdited; //!< was re-linked last
+    QElapsedTimer mSinceEdit;         //!< since then
+    quint64 mGesture = 0;             //!< of that edit
 };
 
 } // namespace autocuts
