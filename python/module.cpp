@@ -276,6 +276,19 @@ MapPointer called(const std::string &name, const autocuts::Mesh &mesh, const aut
                                                             : calls.at(name)(mesh, options, watch));
 }
 
+py::dict figuresOf(const autocuts::Figures &figures)
+{
+    py::dict result;
+    result["distortion"] = figures.distortion;
+    result["seam_norm"] = figures.seam_norm;
+    result["packing_efficiency"] = figures.packing_efficiency;
+    result["gutter_texels"] = figures.gutter_texels;
+    result["islands"] = figures.islands;
+    result["flipped_triangles"] = figures.flipped_triangles;
+    result["overlapping_pairs"] = figures.overlapping_pairs;
+    return result;
+}
+
 void bindCalls(py::module_ &module)
 {
     module.def(
@@ -288,33 +301,27 @@ void bindCalls(py::module_ &module)
         },
         py::arg("name"), py::arg("mesh"), py::arg("options"), py::arg("progress"), py::arg("better"));
 
-    using Job = Background<MapPointer>;
+    struct Measured
+    {
+        MapPointer map;
+        autocuts::Figures figures;
+    };
+    using Job = Background<Measured>;
     py::class_<Job>(module, "Job")
         .def(py::init([](const std::string &name, const Arrays &mesh, const autocuts::Options &options) {
-                 return std::make_unique<Job>(false,
-                                              [name, &mesh, options](const auto &watch, const auto &take) {
-                                                  return called(name, mesh.view(), options, watch, take);
-                                              });
+                 return std::make_unique<Job>(false, [name, &mesh, options](const autocuts::Progress &watch,
+                                                                            const autocuts::TakeMap &take) {
+                     const MapPointer map = called(name, mesh.view(), options, watch, take);
+                     return Measured{map, map->measure()};
+                 });
              }),
              py::keep_alive<1, 3>(), py::arg("name"), py::arg("mesh"), py::arg("options"))
         .def_property_readonly("share", &Job::share)
         .def_property_readonly("newest", &Job::newest)
         .def("stop", &Job::stop)
         .def("wait", &Job::wait, py::arg("seconds"))
-        .def("result", &Job::result);
-}
-
-py::dict figuresOf(const autocuts::Figures &figures)
-{
-    py::dict result;
-    result["distortion"] = figures.distortion;
-    result["seam_norm"] = figures.seam_norm;
-    result["packing_efficiency"] = figures.packing_efficiency;
-    result["gutter_texels"] = figures.gutter_texels;
-    result["islands"] = figures.islands;
-    result["flipped_triangles"] = figures.flipped_triangles;
-    result["overlapping_pairs"] = figures.overlapping_pairs;
-    return result;
+        .def("result", [](const Job &job) { return job.result().map; })
+        .def("figures", [](const Job &job) { return figuresOf(job.result().figures); });
 }
 
 py::dict outcomeOf(const autocuts::Outcome &outcome)
@@ -476,17 +483,18 @@ void bindBake(py::module_ &module)
             if (cage && cage->size() != mesh.positions.size())
                 refuse("cage_positions must have the shape of positions");
             options.cage_positions = cage ? cage->data() : nullptr;
-            const autocuts::Bake made =
+            const auto made =
                 run(progress, {}, [&](const autocuts::Progress &watch, const autocuts::TakeMap &) {
                     const autocuts::Mesh detailed = high ? high->view() : autocuts::Mesh();
-                    return autocuts::bake(mesh.view(), high ? &detailed : nullptr, maps, options, watch);
+                    return std::make_shared<const autocuts::Bake>(
+                        autocuts::bake(mesh.view(), high ? &detailed : nullptr, maps, options, watch));
                 });
             py::list pictures;
             for (std::size_t i = 0; i < maps.size(); ++i)
                 pictures.append(Floats({py::ssize_t(options.height), py::ssize_t(options.width),
                                         py::ssize_t(autocuts_bake_channels(maps[i]))},
-                                       made.pictures[i].data()));
-            return py::make_tuple(pictures, made.figures.texels, made.figures.missed);
+                                       made->pictures[i].data()));
+            return py::make_tuple(pictures, made->figures.texels, made->figures.missed);
         },
         py::arg("mesh"), py::arg("high"), py::arg("maps"), py::arg("options"), py::arg("cage"),
         py::arg("progress"));

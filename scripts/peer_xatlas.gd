@@ -39,7 +39,7 @@ func _init():
         for k in range(3):
             normals[corners[t + k]] += normal
     for i in range(points.size()):
-        points[i] /= sqrt(area)
+        points[i] *= 1400 / sqrt(area) # xatlas leaves out what is tiny
         normals[i] = normals[i].normalized() if normals[i].length() > 0 else Vector3(0, 0, 1)
     var arrays = []
     arrays.resize(Mesh.ARRAY_MAX)
@@ -47,9 +47,9 @@ func _init():
     arrays[Mesh.ARRAY_NORMAL] = normals
     arrays[Mesh.ARRAY_INDEX] = corners
     var mesh = ArrayMesh.new()
-    mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
+    mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays, [], 0) # 0: not as half floats
     var before = cpu_seconds()
-    var error = mesh.lightmap_unwrap(Transform(), 1.0 / 1400)
+    var error = mesh.lightmap_unwrap(Transform(), 1.0)
     print("CPU seconds: ", cpu_seconds() - before)
     if error != OK:
         print("xatlas failed")

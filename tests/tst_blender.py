@@ -645,12 +645,20 @@ class Jobs(BlenderTest):
         for kind in ("MODULE", "PROGRAM"):
             PREFERENCES.engine = kind
             bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=5)
+            handles, folders = os.listdir("/proc/self/fd"), set(os.listdir(tempfile.gettempdir()))
             job, _ = self.job(bpy.context.object, quality="best")
+            while job.step() and job.progress.share < 0.1:
+                time.sleep(0.01)
+            self.assertTrue(job.running, kind)
             begin = time.monotonic()
             job.close()
-            self.assertLess(time.monotonic() - begin, 30, kind)  # the whole job takes longer
+            self.assertLess(time.monotonic() - begin, 20, kind)  # the whole job takes longer
             self.assertFalse(job.step())
             self.assertIsNone(job.wait())
+            if kind == "PROGRAM":
+                self.assertEqual(len(os.listdir("/proc/self/fd")), len(handles))
+                left = set(os.listdir(tempfile.gettempdir())) - folders
+                self.assertEqual([name for name in left if name.startswith("autocuts_")], [])
 
     def test_stopped_before_there_is_a_map(self):
         for kind in ("MODULE", "PROGRAM"):

@@ -444,7 +444,7 @@ private Q_SLOTS:
     //! Better maps come while an unwrap goes on, and change nothing of its result.
     void givesBetterMaps()
     {
-        const Torus torus(24);
+        const Torus torus(40);
         std::vector<autocuts::Map> maps;
         autocuts::Options options;
         const autocuts::Map watched = autocuts::unwrap(

@@ -312,7 +312,8 @@ private Q_SLOTS:
         UndoStack &history = studio.document()->undoStack();
         const int entries = history.count();
         for (int state = 1; state <= 3; ++state)
-            QCOMPARE(how(program.hand(meshMessage(bent(scene, 0.1 * state), 1 + state, false))), u"relinked"_s);
+            QCOMPARE(how(program.hand(meshMessage(bent(scene, 0.1 * state), 1 + state, false))),
+                     u"relinked"_s);
         QCOMPARE(history.count(), entries + 1);
         history.undo();
         QCOMPARE(studio.document()->mesh().positions, scene.mesh->positions);
@@ -322,6 +323,16 @@ private Q_SLOTS:
         studio.setCut(someEdge(link::VertexPairs(*scene.mesh), *scene.mesh, 3), true);
         QCOMPARE(how(program.hand(meshMessage(bent(scene, .4), 5, false))), u"relinked"_s);
         QCOMPARE(history.count(), entries + 3);
+        // What is saved begins with the last state of the edit.
+        JournalRecorder recorder(*studio.document());
+        const int before = history.count();
+        for (int state = 1; state <= 2; ++state)
+            program.hand(meshMessage(bent(scene, 0.05 * state), 5 + state, false));
+        QVERIFY(history.count() <= before + 1);
+        studio.setCut(someEdge(link::VertexPairs(*scene.mesh), *scene.mesh, 30), true);
+        const Result<std::unique_ptr<Document>> replayed = replay(recorder.journal());
+        QVERIFY(replayed);
+        QVERIFY(sameWork(replayed.value()->state(), studio.document()->state()));
     }
 
     void handWorkOfTheOtherProgramIsAnUndoableEdit()

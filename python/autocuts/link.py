@@ -32,6 +32,7 @@ VERSION = 1
 _HEAD = struct.Struct("<II")  # bytes of the fields, bytes of the arrays
 _MOST_FIELDS, _MOST_ARRAYS = 4 << 20, 1 << 30  # bytes; docs/link.md
 _AT_ONCE = 1 << 20  # bytes
+_DYING, _DYING_LOOKS = 0.02, 50  # seconds between two looks at a studio that is being killed, and how many
 _CODES = {"i4": "i", "f4": "f", "f8": "d"}
 #: Per array that is sent: kind and columns.
 _SENT = {
@@ -391,14 +392,12 @@ def _gone(error):
 def _linked(place, program, timeout):
     """The link to this studio. One that is just being killed takes the connection and closes it: it is asked again,
     until it is gone."""
-    until = time.monotonic() + timeout
-    while True:
+    for _ in range(_DYING_LOOKS):
         try:
             return Link(place, program, timeout)
         except Ended:
-            if time.monotonic() >= until:
-                raise
-        time.sleep(0.02)
+            time.sleep(_DYING)
+    return Link(place, program, timeout)
 
 
 def connect(model=None, program="Python", folder=None, timeout=10, any_model=True):

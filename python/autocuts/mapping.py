@@ -147,6 +147,10 @@ class Job:
         """Waits for the end, and returns the Map or raises what the function would raise."""
         return _shown(self._job.result(), self._mesh)
 
+    def figures(self):
+        """The figures of the result, as of Map.measure(); measured in the background as well."""
+        return self._job.figures()
+
 
 class LiveSolve:
     """A map that gets better all the time on a thread of its own, and follows its steering.

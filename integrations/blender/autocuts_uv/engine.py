@@ -77,6 +77,7 @@ _MODULE_PLAIN = {
 _MODULE_WORDS = {
     "rotation": {"none": "none", "free": "free", "15": 15, "30": 30, "45": 45, "90": 90, "180": 180},
 }
+_FAREWELL = 1  # seconds that a program has to end
 
 
 def cpu_count():
@@ -126,10 +127,10 @@ class ModuleEngine:
                     shown, lines = newest, self._drawn(request.model, newest)
                 if (yield jobs.Progress(job.share, lines)):
                     job.stop()
-            made = job.result()
+            made, found = job.result(), job.figures()
         except (ValueError, RuntimeError, MemoryError) as error:
             raise EngineError(str(error)) from error
-        return Outcome(np.array(made.uvs), made.measure(), self._notes(made.outcome), made.stopped)
+        return Outcome(np.array(made.uvs), found, self._notes(made.outcome), made.stopped)
 
     @staticmethod
     def _wishes(request):
@@ -214,9 +215,10 @@ class _Terminal:
             self.end = self._file.fileno()
 
     def started(self):
-        """The program has its end."""
-        if pty:
+        """The program has its end; this one is not needed any more."""
+        if pty and self.end is not None:
             os.close(self.end)
+            self.end = None
 
     def read(self):
         """What was said since the last call; without a terminal nothing before the end."""
@@ -229,6 +231,7 @@ class _Terminal:
 
     def close(self):
         """What is left, at the end of the program."""
+        self.started()
         if pty:
             rest = b"".join(iter(self.read, b""))
             os.close(self._own)
@@ -252,23 +255,39 @@ class CommandEngine:
 
     def call(self, words, out=subprocess.DEVNULL):
         """Runs the program, as a job. Returns its exit code and its messages. out: a file for what it prints."""
-        terminal, said, asked = _Terminal(), _Said(), False
-        with subprocess.Popen(
-            [self._program, *words], stdin=subprocess.DEVNULL, stdout=out, stderr=terminal.end
-        ) as process:
-            terminal.started()
-            try:
-                while process.poll() is None:
-                    said.take(terminal.read())
-                    if (yield jobs.Progress(said.share)) and not asked:
-                        process.send_signal(signal.SIGINT)
-                        asked = True
-            except GeneratorExit:
-                process.terminate()
-                raise
-        said.take(terminal.close() + b"\n")
+        terminal, said = _Terminal(), _Said()
+        try:
+            with subprocess.Popen(
+                [self._program, *words], stdin=subprocess.DEVNULL, stdout=out, stderr=terminal.end
+            ) as process:
+                terminal.started()
+                try:
+                    yield from self._follow(process, terminal, said)
+                except GeneratorExit:
+                    self._end(process)
+                    raise
+        finally:
+            said.take(terminal.close() + b"\n")
         # Stopped before the program listens to it.
         return 130 if process.returncode == -signal.SIGINT else process.returncode, said.messages
+
+    @staticmethod
+    def _follow(process, terminal, said):
+        asked = os.name == "nt"  # it cannot be asked there
+        while process.poll() is None:
+            said.take(terminal.read())
+            if (yield jobs.Progress(said.share)) and not asked:
+                process.send_signal(signal.SIGINT)
+                asked = True
+
+    @staticmethod
+    def _end(process):
+        """Nobody wants its result: it may remove its own files, but not for long."""
+        process.terminate()
+        try:
+            process.wait(_FAREWELL)
+        except subprocess.TimeoutExpired:
+            process.kill()
 
     def run(self, request):
         with tempfile.TemporaryDirectory(prefix="autocuts_") as folder:

@@ -1,7 +1,7 @@
 """Jobs in the background, so that Blender stays usable.
 
-No Python runs on a thread: Blender's own calls take the interpreter's lock for theirs when a thread has it, and crash. A job
-is a generator. It starts its work in a process or in the module, then yields, each time it is asked, what there is to tell;
+No Python runs on other threads: some of Blender's own code assumes that it already holds the interpreter's lock, and crashes
+when another thread holds it. A job is a generator. It starts its work in a process or in the module, then yields, each time it is asked, what there is to tell;
 True sent to it asks it to end soon with the best that it has. What it returns is the result.
 """
 

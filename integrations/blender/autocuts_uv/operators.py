@@ -173,8 +173,10 @@ class BackgroundMixin:
 
     def cancel(self, context):
         """Blender ends the operator, for instance when another file is opened."""
-        self._job.close()
-        self._end(context)
+        try:
+            self._job.close()
+        finally:
+            self._end(context)
 
     def end_now(self):
         """Ends the job without its map."""

@@ -78,9 +78,9 @@ public:
     void relink(const QString &meshPath, bool tellEdited = true);
     //! What became of a model: what is lost, one line each, or why it was not taken.
     using Taken = std::function<void(const Result<QStringList> &lost)>;
-    //! The same for a model that another program hands over. \param gesture those of one gesture are one entry
-    //! of the history \param taken is not called when the job is cancelled or fails \returns false when another
-    //! file is being read or written
+    //! The same for a model that another program hands over. \param gesture those of one gesture are one
+    //! entry of the history \param taken is not called when the job is cancelled or fails \returns false when
+    //! another file is being read or written
     bool relinkHanded(const Scene &scene, quint64 gesture, const Taken &taken);
     //! Opens a model that was made or read. \param prepare changes the state that it begins with
     //! \returns why it cannot be opened

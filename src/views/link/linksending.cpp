@@ -58,14 +58,16 @@ void LinkSending::sendNow()
 {
     const Document *document = mContext.workspace.document();
     for (LinkClient *client : mClients()) {
-        if (client->shared.serial == 0)
-            continue;
-        if (!document || document->state().scene.mesh != client->shared.mesh)
+        if (client->shared.serial == 0) {
+            client->asks = false;
+        } else if (!document || document->state().scene.mesh != client->shared.mesh) {
+            client->asks = false; // there is nothing to answer with
             tellLeft(*client);
-        else if (client->isSending || !client->isIdle())
+        } else if (client->isSending || !client->isIdle()) {
             client->isLate = true;
-        else if (client->asks || client->mode() != LinkMode::Request)
+        } else if (client->asks || client->mode() != LinkMode::Request) {
             sendTo(*client);
+        }
     }
 }
 
