@@ -2,6 +2,7 @@
 #include "model/io/meshfile.h"
 #include "model/io/savefile.h"
 #include "support/filedesk.h"
+#include "views/actions/fileactions.h"
 #include "views/control/jobrunner.h"
 #include "views/control/picturejobs.h"
 

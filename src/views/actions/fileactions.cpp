@@ -43,6 +43,14 @@ QStringList openFilters()
             FileActions::tr("All files (*)")};
 }
 
+std::vector<LayoutPicture> layoutPictures(const Document &document, const QString &path,
+                                          const std::vector<bool> &faces)
+{
+    const PackingSettings packing = document.packingSettings();
+    return layoutPictures(path, document.mesh(), withoutOtherFaces(document.mesh(), document.uv(), faces),
+                          packing.tileHeight(), packing.udimTile);
+}
+
 FileActions::FileActions(const StudioContext &context, Questions &questions, QObject *parent)
     : QObject(parent), mContext(context), mQuestions(questions),
       mWatch(context.workspace, context.solver, context.files, context.map.jobs())

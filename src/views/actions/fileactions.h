@@ -13,12 +13,18 @@ class QMenu;
 
 namespace autocuts {
 
+class Document;
 class MenuBuilder;
 struct LayoutPicture;
 class Questions;
 
 //! The kinds of files that can be opened, as for QFileDialog.
 QStringList openFilters();
+
+//! The pictures of the document's map, one for each tile in use. \param path .png or .svg
+//! \param faces per face: it is drawn; empty: all are
+std::vector<LayoutPicture> layoutPictures(const Document &document, const QString &path,
+                                          const std::vector<bool> &faces);
 
 //! Opens, saves and exports files chosen by the user. Before a session is closed in any way, the solver is
 //! paused and the user is asked about unsaved changes.

@@ -470,14 +470,6 @@ void FileController::exportMesh(const QString &path)
         tellBusy(path);
 }
 
-std::vector<LayoutPicture> layoutPictures(const Document &document, const QString &path,
-                                          const std::vector<bool> &faces)
-{
-    const PackingSettings packing = document.packingSettings();
-    return layoutPictures(path, document.mesh(), withoutOtherFaces(document.mesh(), document.uv(), faces),
-                          packing.tileHeight(), packing.udimTile);
-}
-
 void FileController::exportLayout(const std::vector<LayoutPicture> &pictures, const LayoutOptions &options,
                                   const std::vector<bool> &faces)
 {

@@ -26,11 +26,6 @@ class Workspace;
 //! A copy of the model for writing: its active UV set comes first.
 Scene sceneForWriting(const Document &document);
 
-//! The pictures of the document's map, one for each tile in use. \param path .png or .svg
-//! \param faces per face: it is drawn; empty: all are
-std::vector<LayoutPicture> layoutPictures(const Document &document, const QString &path,
-                                          const std::vector<bool> &faces);
-
 //! A session from a file.
 struct LoadedSession
 {
@@ -96,7 +91,7 @@ public:
     void waitForSaves() { mSaver.waitForDone(); }
     //! Writes the model with its UV map off the GUI thread.
     void exportMesh(const QString &path);
-    //! Writes pictures of the UV map off the GUI thread. \param pictures see layoutPictures()
+    //! Writes pictures of the UV map off the GUI thread. \param pictures one per tile
     //! \param faces per face: it is drawn; empty: all are
     void exportLayout(const std::vector<LayoutPicture> &pictures, const LayoutOptions &options,
                       const std::vector<bool> &faces = {});
