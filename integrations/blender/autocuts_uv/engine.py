@@ -1,6 +1,6 @@
 """The engine behind one interface: the Python module autocuts, or the program autocuts-cli.
 
-Both give the same maps, but of "align". The module knows fewer options; what it lacks goes to the program, which gives no
+Both give the same maps, except for "align". The module knows fewer options; what it lacks goes to the program, which gives no
 map before it ends. Nothing here touches Blender's data. Jobs are generators, see jobs.
 """
 
