@@ -13,6 +13,7 @@ EXIT_CODES = {0, 1, 2, 3, 130}
 CPU_SECONDS = 20
 WALL_SECONDS = 300  # for programs that wait for ever; the machine may be busy
 MEMORY_MIB = 1500
+INPUT_FAILED = "autocuts-cli: failed: "
 # A function's name before a colon, as in "measureUv: ..." or "std::bad_alloc".
 FUNCTION_NAME = re.compile(r"(^|[\s(])[a-z]+[A-Z]\w*(\(\))?: |\w::\w")
 
@@ -93,7 +94,11 @@ class Program:
         if run.code in (1, 2):
             errors = [x for x in lines if x.startswith("autocuts-cli: ") and not
                       x.startswith(("autocuts-cli: note:", "autocuts-cli: warning:"))]
-            if len(errors) != 1 and not (run.code == 1 and "the result differs" in run.out):
+            # Of several inputs each one that fails has a line.
+            errors += [x for x in lines if x.startswith("{") and '"status":"failed"' in x]  # --progress json
+            of_inputs = {x for x in errors if x.startswith((INPUT_FAILED, "{"))}
+            differs = run.code == 1 and "the result differs" in run.out
+            if len(errors) != 1 and len(of_inputs) != max(1, len(errors)) and not differs:
                 faults.append("fails with %d error lines" % len(errors))
         return faults
 
