@@ -419,6 +419,16 @@ private Q_SLOTS:
         QVERIFY(qAlpha(picture.pixel(80, 80)) == 255 && qAlpha(picture.pixel(240, 80)) == 255);
     }
 
+    void aReportThatCannotBeWrittenIsToldBeforeTheWork()
+    {
+        const Place place(2);
+        const test::CliRun run = place.run(u"--report "_s + place.at(u"none/report.csv"_s));
+        QCOMPARE(run.code, 1);
+        QVERIFY2(run.err.contains(u"the output folder does not exist"_s), qPrintable(run.err));
+        QVERIFY(Place::outputsIn(place.out()).empty());
+        QVERIFY(place.journal().isEmpty());
+    }
+
     void everyCommandOfFilesCanBeDone_data()
     {
         QTest::addColumn<QString>("line");

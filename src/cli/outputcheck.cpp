@@ -40,19 +40,6 @@ QStringList otherInputs(const CliOptions &options)
     return files;
 }
 
-Result<Done> checkFile(const QString &target)
-{
-    const QFileInfo folder(QFileInfo(target).absolutePath());
-    if (!folder.isDir())
-        return Error{u"the output folder does not exist"_s, folder.filePath(), 0, u"Create it first"_s};
-    if (QFileInfo(target).isDir())
-        return Error{u"this is a folder, not a file"_s, target, 0, u"Add a file name to the path"_s};
-    if (!folder.isWritable())
-        return Error{u"the output folder is read-only"_s, folder.filePath(), 0,
-                     u"Check its permissions or choose another one"_s};
-    return checkTarget(target);
-}
-
 bool isRewritten(const CliOptions &options)
 {
     return fileKey(options.input) == fileKey(options.output) &&
@@ -62,6 +49,19 @@ bool isRewritten(const CliOptions &options)
 }
 
 } // namespace
+
+Result<Done> checkOutputFile(const QString &path)
+{
+    const QFileInfo folder(QFileInfo(path).absolutePath());
+    if (!folder.isDir())
+        return Error{u"the output folder does not exist"_s, folder.filePath(), 0, u"Create it first"_s};
+    if (QFileInfo(path).isDir())
+        return Error{u"this is a folder, not a file"_s, path, 0, u"Add a file name to the path"_s};
+    if (!folder.isWritable())
+        return Error{u"the output folder is read-only"_s, folder.filePath(), 0,
+                     u"Check its permissions or choose another one"_s};
+    return checkTarget(path);
+}
 
 QStringList namedFiles(const CliOptions &options)
 {
@@ -76,7 +76,7 @@ Result<Done> checkTargets(const CliOptions &options)
          {picturesInFolder ? QString() : options.output, options.layout, options.report}) {
         if (target.isEmpty())
             continue;
-        if (Result<Done> fine = checkFile(target); !fine)
+        if (Result<Done> fine = checkOutputFile(target); !fine)
             return fine;
     }
     if (Result<Done> fine = checkClashes(options, DocumentState()); !fine)

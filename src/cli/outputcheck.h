@@ -6,6 +6,9 @@
 
 namespace autocuts {
 
+//! Checks that a file can be written, as far as that can be known without writing it.
+Result<Done> checkOutputFile(const QString &path);
+
 //! Checks the folders and names of the outputs that the options name.
 Result<Done> checkTargets(const CliOptions &options);
 

@@ -3,6 +3,7 @@
 #include "cli/manyfiles/filerunner.h"
 #include "cli/manyfiles/machine.h"
 #include "cli/manyfiles/runreport.h"
+#include "cli/outputcheck.h"
 #include "cli/progressline.h"
 #include "model/io/savefile.h"
 
@@ -125,6 +126,10 @@ public:
         for (const QString &folder : {mOptions.output, mNotes}) {
             if (!folder.isEmpty() && !QDir().mkpath(folder))
                 return fail({u"the folder cannot be made"_s, folder, 0, u"Check the permissions"_s});
+        }
+        if (!mChoice.report.isEmpty()) {
+            if (const Result<Done> writable = checkOutputFile(mChoice.report); !writable)
+                return fail(writable.error());
         }
         const auto lock = RunJournal::lock(mChoice, mNotes);
         if (!lock)
