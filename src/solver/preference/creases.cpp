@@ -21,6 +21,11 @@ constexpr double roughShare = 0.2; // of the edges around a crease
 constexpr double rampBegin = 20 * degree, rampEnd = 60 * degree;
 constexpr double leastFactor = 1e-3; // a seam always costs something
 
+//! Of rough surfaces, see isRough(). Measured: half of the edges bend by less than 10.3 degrees on models by
+//! hand of so many triangles, and by less than 12.6 to 69 on noisy ones.
+constexpr double roughBend = 12 * degree;
+constexpr int roughTriangles = 4000;
+
 std::vector<Vec3> faceNormals(const MeshData &mesh)
 {
     std::vector<Vec3> normals(mesh.faceCount());
@@ -70,6 +75,25 @@ std::vector<bool> creases(const MeshData &mesh, const std::vector<double> &angle
                     rough[a] + rough[b] <= roughShare * (all[a] + all[b] - 2 * pair.length);
     }
     return result;
+}
+
+bool isRough(const MeshData &mesh, const std::vector<double> &angles)
+{
+    double all = 0, bent = 0;
+    for (std::size_t e = 0; e < angles.size(); ++e) {
+        all += mesh.edgePairs[e].length;
+        bent += angles[e] > roughBend ? mesh.edgePairs[e].length : 0;
+    }
+    for (const BoundarySide &side : mesh.boundarySides) {
+        if (side.reason != OpenSide::NonManifold)
+            continue;
+        const std::array<int, 3> &corner = mesh.triangles[side.triangle];
+        const double length =
+            (mesh.cornerPosition(corner[side.side]) - mesh.cornerPosition(corner[(side.side + 1) % 3])).norm();
+        all += length;
+        bent += length;
+    }
+    return mesh.triangleCount() >= roughTriangles && bent > all / 2;
 }
 
 std::vector<double> creaseFactors(const MeshData &mesh, double strength)

@@ -30,8 +30,9 @@ std::vector<bool> creasedParts(const SolveSettings &settings, const MeshData &me
 //! Per connected component: true where islands are to run along the axes. Empty: nowhere.
 std::vector<bool> alignedParts(const SolveSettings &settings, const MeshData &mesh);
 
-//! The settings with creases and alignment decided for the mesh as a whole, in place of Auto: On where half
-//! of its area or more is in such parts, else Off.
-SolveSettings decidedForAll(SolveSettings settings, const MeshData &mesh);
+//! The settings as they are for a mesh as a whole, so that they hold for a coarser version of it: creases and
+//! alignment in place of Auto are On where half of its area or more is in such parts, else Off. Flat regions
+//! are free where the mesh has none that keep their shape.
+SolveSettings decidedForAll(SolveSettings settings, const std::shared_ptr<const MeshData> &mesh);
 
 } // namespace autocuts::preference

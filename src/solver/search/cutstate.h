@@ -34,6 +34,10 @@ struct CutState
         return std::min(0.005, 0.5 * soup.componentShare[soup.mesh->component[triangle]]);
     }
 
+    //! From this number of charts below smallestChart() on, a surface is so rough that growing each would
+    //! lengthen its seams by half and more: they are only joined where that shortens seams at little stretch.
+    static constexpr int manySmallParts = 100;
+
     std::shared_ptr<const SeamGraph> graph;
     std::vector<char> cut;              //!< per edge pair
     std::vector<double> x;              //!< per soup corner, see Soup

@@ -21,7 +21,6 @@ constexpr double narrower = 3; // divisor of the spread where a chart is bad
 constexpr int mostRounds = 8;  // in which bad charts are divided
 constexpr int relaxSteps = 20; // Newton steps after which a chart is judged
 constexpr double badChart = 5; // energy of a chart per area, above that of an isometry
-constexpr int mostSmall = 100; // charts that may be too small: joining each takes trials
 
 //! Relaxes the charts that have a map. \returns per chart: energy per area above that of an isometry; not
 //! finite where it has no map
@@ -70,8 +69,6 @@ std::optional<CutState> firstClusters(const std::shared_ptr<const SeamGraph> &gr
         map.cut.assign(cut.begin(), cut.end());
         map.x = tutteEmbedding(*graph->soup, CutMesh(*graph->soup->mesh, map.cut));
         CutState state = CutState::from(graph, map);
-        if (state.smallParts > mostSmall)
-            return std::nullopt;
         const std::vector<double> excess = relaxValid(state, options);
         if (options.job.stopped())
             return std::nullopt;

@@ -7,6 +7,14 @@
 
 namespace autocuts::unwrap {
 
+namespace {
+
+//! What a small chart counts as on rough surfaces, in seam cost: about what growing it to a chart of
+//! CutState::smallestChart() adds.
+constexpr double smallChartCost = 0.03;
+
+} // namespace
+
 void Candidate::measure(const Soup &soup, const Snapshot &snapshot)
 {
     distortion = map.distortion(soup);
@@ -48,6 +56,8 @@ bool Ranking::better(const Candidate &a, const Candidate &b) const
     const bool bFits = b.bounded <= mOptions.maxDistortion;
     if (aFits != bFits)
         return aFits;
+    if (aFits && std::max(a.smallCharts, b.smallCharts) > search::CutState::manySmallParts)
+        return a.seamCost + smallChartCost * a.smallCharts < b.seamCost + smallChartCost * b.smallCharts;
     if (aFits && a.smallCharts != b.smallCharts)
         return a.smallCharts < b.smallCharts;
     return aFits ? a.seamCost < b.seamCost : a.bounded < b.bounded;

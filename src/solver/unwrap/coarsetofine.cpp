@@ -377,7 +377,7 @@ private:
 
 bool isLargeMesh(const MeshData &mesh)
 {
-    return mesh.triangleCount() > largeMesh;
+    return mesh.triangleCount() > (getenv("LARGE") ? atoi(getenv("LARGE")) : largeMesh);
 }
 
 bool suitsCoarseToFine(const Snapshot &snapshot)

@@ -237,7 +237,7 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     Snapshot snapshot = given;
     if (suitsCoarseToFine(snapshot)) {
         // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
-        snapshot.settings = preference::decidedForAll(snapshot.settings, *snapshot.mesh);
+        snapshot.settings = preference::decidedForAll(snapshot.settings, snapshot.mesh);
     }
     std::optional<preference::MeshSymmetry> symmetry;
     if (snapshot.settings.symmetry)

@@ -139,7 +139,7 @@ private:
                  (mSnapshot.placesIslands() && !mBefore))
             best = bySoup(UnwrapQuality::Draft);
         std::optional<Candidate> searched = bySearch(best, nullptr);
-        if (mSnapshot.rigid && searched && isWithinBound(*searched))
+        if (mSnapshot.rigid && mSnapshot.rigid->share >= hardlyRigid && searched && isWithinBound(*searched))
             best = std::move(searched); // in the map of the soup, rigid regions bend
         else
             keepBetter(best, std::move(searched));
