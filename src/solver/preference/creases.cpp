@@ -23,7 +23,7 @@ constexpr double leastFactor = 1e-3; // a seam always costs something
 
 //! Of rough surfaces, see isRough(). Measured: half of the edges bend by less than 10.3 degrees on models by
 //! hand of so many triangles, and by less than 12.6 to 69 on noisy ones.
-constexpr double roughBend = 12 * degree;
+constexpr double roughBend = 7 * degree;
 constexpr int roughTriangles = 4000;
 
 std::vector<Vec3> faceNormals(const MeshData &mesh)

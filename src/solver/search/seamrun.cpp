@@ -24,6 +24,9 @@ constexpr int firstPolishes = 4;
 //! While a polish lowers the energy above the bound by more than this share, mu stays. Without this rule,
 //! round shapes that start from one path ended with 5 to 10 % longer seams.
 constexpr double fastFall = 0.25;
+//! Share of the stretch above the bound that a round must take away once mu cannot fall any more. Chosen by
+//! hand.
+constexpr double slowFall = 0.05;
 //! Seam cost that a fault at the anchors counts as: far more than the seams of any map.
 constexpr double anchorFaultCost = 1000;
 //! From this multiple of the stretch allowed on, clusters are given up: on noisy shapes with three times as
@@ -163,6 +166,8 @@ void SeamRun::meetBound(double mostCost)
     for (int i = 0; i < boundRounds && mState.distortion > bound() && !mSearch.stopped(); ++i) {
         if (mState.cost > mostCost)
             return;
+        const bool isLeast = mu == leastMu;
+        const double before = mState.distortion;
         mu = std::max(leastMu, mu * mOptions.effort.boundFall);
         mSearch.setMu(mu);
         mSearch.polish(1);
@@ -170,6 +175,8 @@ void SeamRun::meetBound(double mostCost)
             mSearch.tryLargeMove();
         mSearch.relaxAll(3);
         report(0);
+        if (isLeast && before - mState.distortion < slowFall * (mState.distortion - bound()))
+            return;
     }
 }
 

@@ -4,8 +4,11 @@
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
 #include "solver/multires/maprefiner.h"
+#include "solver/overlap/overlapfinder.h"
 #include "solver/preference/seampreference.h"
 #include "solver/search/anchoring.h"
+#include "solver/search/seamrun.h"
+#include "solver/search/seamtrial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +37,13 @@ constexpr double leastGain = 1e-3;
 constexpr int hurriedSteps = 5;
 //! Steps of relaxing after which a map is shown to CoarseSearch::relaxing. Chosen by hand.
 constexpr int stepsBetween = 5;
+
+//! Energy of a triangle from which refining has found no place for it. It becomes a chart of its own: it would
+//! stop the steps of all others. Chosen by hand.
+constexpr double lostEnergy = 1e6;
+//! Multiple of the stretch allowed up to which a map of the fine mesh is taken to the bound. Measured: from
+//! three times as much that takes as long as the map itself, from a hundred times four times as long.
+constexpr double worthTaking = 4;
 
 using PointPair = std::pair<int, int>;
 
@@ -233,6 +243,21 @@ void leaveDiagonals(const Soup &soup, SeamedMap &map)
     }
 }
 
+//! Makes charts of single triangles that have hardly any area in the map.
+void isolateLost(const Soup &soup, SeamedMap &map)
+{
+    std::vector<char> lost(soup.triangleCount(), 0);
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        lost[t] = !(search::triangleEnergy(&map.x[6 * static_cast<std::size_t>(t)], soup.basis[t]) < lostEnergy);
+        for (int k = 0; k < 3 && lost[t]; ++k)
+            cornerAt(map.x, 3 * t + k) = cornerAt(soup.restShape[t], k);
+    }
+    for (std::size_t e = 0; e < map.cut.size(); ++e) {
+        const auto [a, b] = soup.mesh->edgePairs[e].triangle;
+        map.cut[e] = map.cut[e] || lost[a] || lost[b];
+    }
+}
+
 //! The refined map as coordinates and cut flags of the fine mesh.
 SeamedMap fineMap(const Soup &soup, const multires::MapRefiner &refiner)
 {
@@ -244,6 +269,7 @@ SeamedMap fineMap(const Soup &soup, const multires::MapRefiner &refiner)
     map.cut.resize(mesh.edgePairs.size());
     for (std::size_t e = 0; e < map.cut.size(); ++e)
         map.cut[e] = refiner.cut[3 * mesh.edgePairs[e].triangle[0] + mesh.edgePairs[e].side(0)] != 0;
+    isolateLost(soup, map);
     leaveDiagonals(soup, map);
     return map;
 }
@@ -271,6 +297,46 @@ std::optional<CarriedMap> usable(const std::shared_ptr<const Soup> &soup, const 
     return job.stopped() ? std::nullopt : std::optional(std::move(carried));
 }
 
+//! Relaxes the charts one by one that overlap themselves once the whole map is relaxed, from where they were.
+//! Then seams are added where the bound requires it. \param before the map before it was relaxed
+//! \returns nothing when overlaps cannot be removed, or when stopped
+std::optional<SeamedMap> relaxedByCharts(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                         const UnwrapOptions &options, const SeamedMap &before, SeamedMap map,
+                                         const JobContext &job)
+{
+    const CutMesh charts(*soup->mesh, map.cut);
+    std::vector<char> covers(charts.chartCount, 0);
+    if (!options.allowOverlaps) {
+        overlap::visitOverlapsWithin(rowsOf(map.x), charts.chart, {}, [&](int t, int, double) {
+            covers[charts.chart[t]] = 1;
+            return true;
+        });
+    }
+    for (int c = 0; c < soup->mesh->soupCornerCount(); ++c) {
+        if (covers[charts.chart[c / 3]])
+            cornerAt(map.x, c) = cornerAt(before.x, c);
+    }
+    if (!options.allowOverlaps && definite::coversItself(*soup, map) &&
+        !definite::removeOverlaps(*soup, snapshot, map, job))
+        return std::nullopt;
+    search::CutState state = search::CutState::from(search::SeamGraph::build(soup, snapshot), map);
+    std::vector<char> which(state.chartCount(), 0);
+    for (int t = 0; t < soup->triangleCount(); ++t)
+        which[state.chart[t]] |= covers[charts.chart[t]];
+    search::SeamTrial(state).relaxCharts(which, fineSteps, true, job.quiet());
+    const double room = options.maxDistortion - 4;
+    if (!options.lambda && state.distortion > 4 + room && state.distortion < 4 + worthTaking * room) {
+        search::OptimizeOptions search;
+        search.maxDistortion = options.maxDistortion;
+        search.allowOverlaps = options.allowOverlaps;
+        search.job = job.quiet();
+        search::SeamRun run(search, std::move(state), snapshot.settings.seed);
+        run.takeToBound();
+        return job.stopped() ? std::nullopt : std::optional(run.best().map());
+    }
+    return job.stopped() ? std::nullopt : std::optional(state.map());
+}
+
 //! Relaxes a carried map and removes overlaps unless they are allowed. \returns false when they cannot be
 //! removed, or when the job is stopped
 bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const UnwrapOptions &options,
@@ -294,23 +360,16 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
         leastGain);
     if (job.stopped())
         return false;
-    if (options.allowOverlaps || !definite::coversItself(*soup, relaxed.map)) {
+    const bool isUsable = options.allowOverlaps || !definite::coversItself(*soup, relaxed.map);
+    if (isUsable && (options.lambda || relaxed.map.distortion(*soup) <= options.maxDistortion)) {
         map = std::move(relaxed.map);
-    } else {
-        // The relaxed map overlaps itself. Relax again with boundaries barred; if that misses the bound, cut
-        // the overlaps off the freely relaxed map instead.
-        if (definite::coversItself(*soup, map) && !definite::removeOverlaps(*soup, snapshot, map, job))
-            return false;
-        SeamedMap guarded = map;
-        definite::relaxWithoutOverlaps(soup, snapshot, guarded, fineSteps, job, leastGain);
-        if (!definite::coversItself(*soup, guarded))
-            map = std::move(guarded);
-        if ((options.lambda || map.distortion(*soup) > options.maxDistortion) &&
-            definite::removeOverlaps(*soup, snapshot, relaxed.map, job) &&
-            relaxed.map.distortion(*soup) < map.distortion(*soup))
-            map = std::move(relaxed.map);
+        return true;
     }
-    return !job.stopped();
+    std::optional<SeamedMap> byCharts = relaxedByCharts(soup, snapshot, options, map, relaxed.map, job);
+    if (!byCharts)
+        return false;
+    map = std::move(*byCharts);
+    return true;
 }
 
 //! The coarse version of a mesh, and the way back from it.

@@ -193,6 +193,8 @@ private:
         }
         if (other)
             search.given.push_back(other->map);
+        if (other && other->smallCharts > search::CutState::manySmallParts)
+            search.effort.seeds = 0; // few cuts do not lay such a surface flat
         if (mBefore)
             search.given.push_back(mBefore->map());
         if (!symmetry && !clusters)
