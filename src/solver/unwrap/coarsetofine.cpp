@@ -44,6 +44,8 @@ constexpr double lostEnergy = 1e6;
 //! Multiple of the stretch allowed up to which a map of the fine mesh is taken to the bound. Measured: from
 //! three times as much that takes as long as the map itself, from a hundred times four times as long.
 constexpr double worthTaking = 4;
+//! How: as drafts meet the bound.
+const search::OptimizeEffort boundEffort{0, {}, 0, 0.5, 16};
 
 using PointPair = std::pair<int, int>;
 
@@ -329,6 +331,7 @@ std::optional<SeamedMap> relaxedByCharts(const std::shared_ptr<const Soup> &soup
         search::OptimizeOptions search;
         search.maxDistortion = options.maxDistortion;
         search.allowOverlaps = options.allowOverlaps;
+        search.effort = boundEffort;
         search.job = job.quiet();
         search::SeamRun run(search, std::move(state), snapshot.settings.seed);
         run.takeToBound();
