@@ -1,5 +1,7 @@
 // Coarse meshes and the way back: collapses and their undoing, maps carried from a coarse mesh to the fine
 // one.
+#include "solver/base/cornerat.h"
+#include "solver/base/random.h"
 #include "solver/definite/relaxing.h"
 #include "solver/multires/edgecollapses.h"
 #include "solver/multires/maprefiner.h"
@@ -260,6 +262,62 @@ private Q_SLOTS:
         const auto again = carried(snapshot, soup, coarseTriangles);
         QVERIFY(again->map.x == map->map.x);
         QVERIFY(again->map.cut == map->map.cut);
+    }
+
+    void theBoundIsMetOnNoisySurfaces()
+    {
+        // The coarse version of such a surface is smoother: its map misses the bound on the fine mesh.
+        Random random(5);
+        const auto ball = test::sphere(50, 70);
+        PositionMatrix positions = ball->positions;
+        for (Eigen::Index v = 0; v < positions.rows(); ++v)
+            positions.row(v) *= 1 + 0.04 * random.uniform();
+        Snapshot snapshot;
+        snapshot.mesh = MeshData::build(positions, ball->faceStart, ball->cornerVertex, ball->faceObject);
+        const auto soup = Soup::build(snapshot.mesh);
+        const auto map = carried(snapshot, soup, 1000);
+        QVERIFY(map);
+        QCOMPARE(map->map.validate(*soup), std::string());
+        QVERIFY(!coversItself(*soup, map->map));
+        const double distortion = map->map.distortion(*soup);
+        QVERIFY2(distortion <= 4.1, qPrintable(QString::number(distortion)));
+    }
+
+    void trianglesWithoutAPlaceBecomeCharts()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = meshCalled(QStringLiteral("grid"));
+        const auto soup = Soup::build(snapshot.mesh);
+        CoarseSearch search = draft(400);
+        search.unwrap = [unwrap = search.unwrap](const Snapshot &coarse, const UnwrapOptions &options,
+                                                 const CarryOver &carry) {
+            std::optional<CarriedMap> map = unwrap(coarse, options, carry);
+            // Presses a triangle flat: moves the corners at one of its points onto the opposite side, all
+            // but.
+            const int triangles = coarse.mesh->triangleCount();
+            for (int t = 0; t < triangles; ++t) {
+                SeamedMap pressed = map->map;
+                const Vec2 tip = cornerAt(pressed.x, 3 * t);
+                const Vec2 foot = 0.5 * (cornerAt(pressed.x, 3 * t + 1) + cornerAt(pressed.x, 3 * t + 2));
+                for (int c = 0; c < 3 * triangles; ++c) {
+                    if (cornerAt(pressed.x, c) == tip)
+                        cornerAt(pressed.x, c) = foot + 1e-12 * (tip - foot);
+                }
+                if (pressed.validate(*Soup::build(coarse.mesh)).empty()) {
+                    map->map = pressed;
+                    break;
+                }
+            }
+            return map;
+        };
+        UnwrapOptions options;
+        options.quality = UnwrapQuality::Draft;
+        const auto map = mapByCoarse(soup, snapshot, options, search);
+        QVERIFY(map);
+        QCOMPARE(map->map.validate(*soup), std::string());
+        QVERIFY(!coversItself(*soup, map->map));
+        const double distortion = map->map.distortion(*soup);
+        QVERIFY2(distortion <= 4.1, qPrintable(QString::number(distortion)));
     }
 
     void whatTheUserCutIsCut()

@@ -2,6 +2,7 @@
 #include "model/document/cborvalues.h"
 #include "model/io/meshfile.h"
 #include "model/samples/samples.h"
+#include "solver/base/random.h"
 #include "solver/preference/creases.h"
 #include "solver/preference/meshsymmetry.h"
 #include "solver/preference/openness.h"
@@ -41,6 +42,20 @@ MeshPtr moved(const MeshData &mesh, const std::function<Vec3(const Vec3 &)> &mov
     for (Eigen::Index v = 0; v < positions.rows(); ++v)
         positions.row(v) = move(positions.row(v));
     return MeshData::build(positions, mesh.faceStart, mesh.cornerVertex, mesh.faceObject);
+}
+
+//! The mesh with cubes of an edge length beside it.
+MeshPtr withCubes(const MeshData &mesh, int count, double edge)
+{
+    test::props::Model model;
+    for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v)
+        model.points.push_back(mesh.positions.row(v));
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        model.faces.emplace_back(mesh.cornerVertex.begin() + mesh.faceStart[f],
+                                 mesh.cornerVertex.begin() + mesh.faceStart[f + 1]);
+    for (int i = 0; i < count; ++i)
+        model.add(test::props::box({2 + 2 * i * edge, 0, 0}, Vec3::Constant(edge)));
+    return model.mesh();
 }
 
 UnwrapResult draft(const MeshPtr &mesh, const SolveSettings &settings, int threads = 2)
@@ -150,8 +165,8 @@ private Q_SLOTS:
         QCOMPARE(parts.hardShare > 0.5, hard);
         SolveSettings settings;
         settings.align = CreaseMode::Auto;
-        QCOMPARE(decidedForAll(settings, *mesh).creases, creased ? CreaseMode::On : CreaseMode::Off);
-        QCOMPARE(decidedForAll(settings, *mesh).align, hard ? CreaseMode::On : CreaseMode::Off);
+        QCOMPARE(decidedForAll(settings, mesh).creases, creased ? CreaseMode::On : CreaseMode::Off);
+        QCOMPARE(decidedForAll(settings, mesh).align, hard ? CreaseMode::On : CreaseMode::Off);
         for (const SurfaceKind kind : {SurfaceKind::Organic, SurfaceKind::HardSurface}) {
             settings.surface = kind;
             QCOMPARE(surfaceParts(*mesh, kind).hardShare, kind == SurfaceKind::HardSurface ? 1.0 : 0.0);
@@ -386,6 +401,30 @@ private Q_SLOTS:
         const UnwrapResult other = draft(mesh, settings);
         QVERIFY(!other.symmetry);
         QVERIFY(symmetricShare(*mesh, *findSymmetry(*mesh), other.cut) < 0.9);
+    }
+
+    void flatRegionsOfRoughSurfacesAreAccidents()
+    {
+        Random random(3);
+        const auto noisy = [&](double noise) {
+            return moved(*test::sphere(60, 80),
+                         [&](const Vec3 &p) { return p * (1 + noise * random.uniform()); });
+        };
+        const MeshPtr rough = noisy(0.04), smooth = noisy(0);
+        QVERIFY(isRough(*rough, dihedralAngles(*rough)));
+        QVERIFY(!isRough(*smooth, dihedralAngles(*smooth)));
+        const MeshPtr few = test::sphere(12, 16); // has larger angles, for want of triangles
+        QVERIFY(!isRough(*few, dihedralAngles(*few)));
+        // Small cubes beside: of a smooth model they are parts, of a rough one debris.
+        for (const MeshPtr &mesh : {rough, smooth}) {
+            Snapshot snapshot;
+            snapshot.mesh = withCubes(*mesh, 5, 0.1);
+            QCOMPARE(SeamPreference().applied(snapshot).rigid == nullptr, mesh == rough);
+            QCOMPARE(decidedForAll({}, snapshot.mesh).flat, mesh == rough ? FlatMode::Free : FlatMode::Rigid);
+        }
+        Snapshot cubes;
+        cubes.mesh = withCubes(*rough, 50, 1);
+        QVERIFY(SeamPreference().applied(cubes).rigid != nullptr);
     }
 
     void whatIsNotSymmetricIsSaid()

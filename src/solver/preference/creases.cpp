@@ -89,7 +89,8 @@ bool isRough(const MeshData &mesh, const std::vector<double> &angles)
             continue;
         const std::array<int, 3> &corner = mesh.triangles[side.triangle];
         const double length =
-            (mesh.cornerPosition(corner[side.side]) - mesh.cornerPosition(corner[(side.side + 1) % 3])).norm();
+            (mesh.cornerPosition(corner[side.side]) - mesh.cornerPosition(corner[(side.side + 1) % 3]))
+                .norm();
         all += length;
         bent += length;
     }

@@ -38,8 +38,8 @@ constexpr int hurriedSteps = 5;
 //! Steps of relaxing after which a map is shown to CoarseSearch::relaxing. Chosen by hand.
 constexpr int stepsBetween = 5;
 
-//! Energy of a triangle from which refining has found no place for it. It becomes a chart of its own: it would
-//! stop the steps of all others. Chosen by hand.
+//! Energy of a triangle from which refining has found no place for it. It becomes a chart of its own: it
+//! would stop the steps of all others. Chosen by hand.
 constexpr double lostEnergy = 1e6;
 //! Multiple of the stretch allowed up to which a map of the fine mesh is taken to the bound. Measured: from
 //! three times as much that takes as long as the map itself, from a hundred times four times as long.
@@ -250,7 +250,8 @@ void isolateLost(const Soup &soup, SeamedMap &map)
 {
     std::vector<char> lost(soup.triangleCount(), 0);
     for (int t = 0; t < soup.triangleCount(); ++t) {
-        lost[t] = !(search::triangleEnergy(&map.x[6 * static_cast<std::size_t>(t)], soup.basis[t]) < lostEnergy);
+        lost[t] =
+            !(search::triangleEnergy(&map.x[6 * static_cast<std::size_t>(t)], soup.basis[t]) < lostEnergy);
         for (int k = 0; k < 3 && lost[t]; ++k)
             cornerAt(map.x, 3 * t + k) = cornerAt(soup.restShape[t], k);
     }
