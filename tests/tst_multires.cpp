@@ -271,7 +271,7 @@ private Q_SLOTS:
         const auto ball = test::sphere(50, 70);
         PositionMatrix positions = ball->positions;
         for (Eigen::Index v = 0; v < positions.rows(); ++v)
-            positions.row(v) *= 1 + 0.04 * random.uniform();
+            positions.row(v) *= 1 + 0.08 * random.uniform();
         Snapshot snapshot;
         snapshot.mesh = MeshData::build(positions, ball->faceStart, ball->cornerVertex, ball->faceObject);
         const auto soup = Soup::build(snapshot.mesh);
@@ -318,6 +318,7 @@ private Q_SLOTS:
         QVERIFY(!coversItself(*soup, map->map));
         const double distortion = map->map.distortion(*soup);
         QVERIFY2(distortion <= 4.1, qPrintable(QString::number(distortion)));
+        QVERIFY(CutMesh(*snapshot.mesh, map->map.cut).chartCount > 1); // a grid has one
     }
 
     void whatTheUserCutIsCut()
