@@ -30,6 +30,9 @@ constexpr double leastReduction = 0.6;
 //! because a finer mesh can bend more freely. The second share is tried when the fine map misses the bound.
 constexpr double coarseShares[] = {1.4, 0.9};
 constexpr int fineSteps = 30; // relaxation steps on the fine mesh, at most
+//! The same for charts that would overlap themselves. Measured: with 30 steps, D of lucy_o_f48275 is 4.0870
+//! in place of 4.0890, that of three others is the same.
+constexpr int guardedSteps = 15;
 //! Share of the energy above that of an isometry that a step gains at least. Measured on a noisy shape of
 //! 86,000 triangles: 5 free and 20 guarded steps in place of 13 and 30, D 4.0911 in place of 4.0907.
 constexpr double leastGain = 1e-3;
@@ -326,7 +329,9 @@ std::optional<SeamedMap> relaxedByCharts(const std::shared_ptr<const Soup> &soup
     std::vector<char> which(state.chartCount(), 0);
     for (int t = 0; t < soup->triangleCount(); ++t)
         which[state.chart[t]] |= covers[charts.chart[t]];
-    search::SeamTrial(state).relaxCharts(which, fineSteps, true, job.quiet());
+    search::SeamTrial trial(state);
+    trial.barContacts();
+    trial.relaxCharts(which, guardedSteps, true, job.quiet());
     const double room = options.maxDistortion - 4;
     if (!options.lambda && state.distortion > 4 + room && state.distortion < 4 + worthTaking * room) {
         search::OptimizeOptions search;
