@@ -31,7 +31,7 @@ bool coversItself(const Soup &soup, const SeamedMap &map)
 }
 
 int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
-                         int steps, const JobContext &job, double leastGain)
+                         int steps, const JobContext &job)
 {
     const CutMesh state(*soup->mesh, map.cut);
     const auto distortion = energy::makeDistortionTerm(soup, snapshot.settings.energy);
@@ -47,7 +47,7 @@ int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot
     while (done < steps && !job.stopped()) {
         const newton::Minimizer::Step step = minimizer.step(map.x);
         ++done;
-        if (hasSettled(step, stall, leastGain))
+        if (step.before - step.after <= stall * std::abs(step.before))
             break;
     }
     return done;

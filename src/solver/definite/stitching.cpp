@@ -181,13 +181,14 @@ void layOut(const Soup &soup, const std::vector<int> &bad, Snapshot &snapshot, s
                       [&](const Pin &pin) { return face[mesh.triangleFace[pin.soupCorner / 3]]; });
 }
 
-} // namespace
-
+//! True when a step gains less than these shares of the energy, or of what it is above that of an isometry.
 bool hasSettled(const newton::Minimizer::Step &step, double stall, double leastGain)
 {
     const double gain = step.before - step.after;
     return gain <= stall * std::abs(step.before) || gain <= leastGain * (step.before - isometry);
 }
+
+} // namespace
 
 SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &given, CutFlags cut,
                    const std::vector<double> &start, const JobContext &job)

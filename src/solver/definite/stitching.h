@@ -5,7 +5,6 @@
 #include "model/plain/snapshot.h"
 #include "solver/base/jobcontext.h"
 #include "solver/base/seamedmap.h"
-#include "solver/newton/minimizer.h"
 
 #include <functional>
 #include <vector>
@@ -27,14 +26,9 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
 //! Minimises the distortion, with pins, while the seams stay as they are. Ends after `steps`
 //! Newton steps or when the energy stalls.
 //! \param stepped called after each step with their number; may be empty
-//! \param leastGain see hasSettled()
+//! \param leastGain a step that gains less is the last: share of the energy above that of an isometry
 //! \return the number of steps
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
              const JobContext &job = {}, const std::function<void(int)> &stepped = {}, double leastGain = 0);
-
-//! True when a Newton step has gained too little for another one.
-//! \param stall share of the energy that it gains at least
-//! \param leastGain the same of what the energy is above that of an isometry
-bool hasSettled(const newton::Minimizer::Step &step, double stall, double leastGain);
 
 } // namespace autocuts::definite
