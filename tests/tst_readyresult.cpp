@@ -60,18 +60,17 @@ class TestReadyResult : public QObject
     }
 
 private Q_SLOTS:
-    void seamsCountMoreThanSmallChartsWhereThereAreMany()
+    void smallChartsCostSeams()
     {
         const auto withSmall = [](double seamCost, int smallCharts) {
             Candidate result = candidate(seamCost);
             result.smallCharts = smallCharts;
             return result;
         };
-        // A few small charts are avoided at any price.
-        QVERIFY(mRanking.better(withSmall(40, 0), withSmall(20, 3)));
+        QVERIFY(mRanking.better(withSmall(20, 0), withSmall(19.5, 3)));
+        QVERIFY(mRanking.better(withSmall(20, 200), withSmall(20, 300)));
         // Hundreds of them are what a rough surface has.
         QVERIFY(mRanking.better(withSmall(20, 300), withSmall(40, 0)));
-        QVERIFY(mRanking.better(withSmall(20, 200), withSmall(20, 300)));
         QVERIFY(mRanking.better(withSmall(20, 0), withSmall(19, 300)));
         // The bound comes first.
         Candidate outside = withSmall(10, 0);

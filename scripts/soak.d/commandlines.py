@@ -95,8 +95,9 @@ def faults(program, words, before, folder):
     changed = [name for name in before if after.get(name) != before[name]]
     # Several inputs go into a folder, with a journal: what succeeds before one fails stays.
     folders = [name.removesuffix(JOURNAL) for name in after if name.endswith("/" + JOURNAL) and name not in before]
-    outside = {name: data for name, data in after.items() if not any(name.startswith(f) for f in folders)}
-    if run.code in (1, 2) and outside != before:
+    was, now = ({name: data for name, data in files.items() if not name.startswith(tuple(folders))}
+                for files in (before, after))
+    if run.code in (1, 2) and was != now:
         found.append("a failed run wrote files")
     if run.code in (1, 2) and not run.err.strip():
         found.append("fails without a message")

@@ -20,8 +20,9 @@ std::vector<double> dihedralAngles(const MeshData &mesh);
 //! surface has sharp edges but hardly any creases.
 std::vector<bool> creases(const MeshData &mesh, const std::vector<double> &angles);
 
-//! True for a surface of many triangles half of whose edges (by length) are no smooth ones all the same: a
-//! scan or the output of a generator, with noise. \param angles see dihedralAngles()
+//! True for a surface of many triangles that bends by more than a smooth one at half of its edges (by
+//! length): a scan or the output of a generator, with noise. Sides at edges of several faces count as bent.
+//! \param angles see dihedralAngles()
 bool isRough(const MeshData &mesh, const std::vector<double> &angles);
 
 //! Cost factor per edge pair: 1 up to 20 degrees, 1 - strength from 60 degrees on, linear in between; at

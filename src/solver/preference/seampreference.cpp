@@ -74,7 +74,7 @@ std::vector<bool> alignedParts(const SolveSettings &settings, const MeshData &me
 
 SolveSettings decidedForAll(SolveSettings settings, const std::shared_ptr<const MeshData> &mesh)
 {
-    // Only on a rough surface are the regions of a coarser version others than those of the mesh itself.
+    // A coarser version is smoother, so that it may no longer count as rough.
     if (settings.flat == FlatMode::Rigid && isRough(*mesh, dihedralAngles(*mesh)) && !rigidRegions(mesh))
         settings.flat = FlatMode::Free;
     if (settings.creases != CreaseMode::Auto && settings.align != CreaseMode::Auto)

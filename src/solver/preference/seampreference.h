@@ -32,7 +32,7 @@ std::vector<bool> alignedParts(const SolveSettings &settings, const MeshData &me
 
 //! The settings as they are for a mesh as a whole, so that they hold for a coarser version of it: creases and
 //! alignment in place of Auto are On where half of its area or more is in such parts, else Off. Flat regions
-//! are free where the mesh has none that keep their shape.
+//! are free on a rough surface that has hardly any.
 SolveSettings decidedForAll(SolveSettings settings, const std::shared_ptr<const MeshData> &mesh);
 
 } // namespace autocuts::preference

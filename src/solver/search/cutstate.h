@@ -34,8 +34,8 @@ struct CutState
         return std::min(0.005, 0.5 * soup.componentShare[soup.mesh->component[triangle]]);
     }
 
-    //! From this number of charts below smallestChart() on, a surface is so rough that growing each would
-    //! lengthen its seams by half and more: they are only joined where that shortens seams at little stretch.
+    //! With more charts below smallestChart() than this, the requirement is given up: growing each would
+    //! lengthen the seams of rough surfaces by half and more. They are only joined where that pays.
     static constexpr int manySmallParts = 100;
 
     std::shared_ptr<const SeamGraph> graph;

@@ -83,11 +83,13 @@ void SeamRun::start()
             break;
     }
     mSearch.anchor();
-    const bool isRough = mState.smallParts > CutState::manySmallParts;
-    if (!isRough)
+    const bool hadMany = hasManySmallCharts();
+    if (!hadMany)
         mSearch.absorbSmallCharts();
-    if (mOptions.clusters || isRough)
+    if (mOptions.clusters || hadMany)
         mSearch.joinCharts();
+    if (hadMany && !hasManySmallCharts())
+        mSearch.absorbSmallCharts();
     mBest = mState;
     mBestScore = score();
     for (int i = 0; i < firstPolishes && !mSearch.stopped(); ++i) {
@@ -132,7 +134,7 @@ void SeamRun::takeToBound(double mostCost)
         restoreBest();
         return;
     }
-    if (mState.smallParts <= CutState::manySmallParts)
+    if (!hasManySmallCharts())
         mSearch.absorbSmallCharts();
     if (!mOptions.clusters || mState.distortion - 4 < hopeless * (bound() - 4))
         meetBound(mostCost);

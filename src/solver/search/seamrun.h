@@ -88,6 +88,7 @@ public:
     int steps() { return mSearch.steps(); }
 
 private:
+    bool hasManySmallCharts() const { return mState.smallParts > CutState::manySmallParts; }
     double score() const;
     bool fits(const CutState &state) const;
     double bound() const;

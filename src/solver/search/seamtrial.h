@@ -47,7 +47,7 @@ public:
     void cutApart(const std::vector<int> &edges);
     //! Must be called when the state has been replaced from outside.
     void reset() { mX = mState.x; }
-    //! From now on, charts that are relaxed bar contacts from the start: without, they are known to overlap.
+    //! From now on, guarded relaxations bar contacts at once: for charts that are known to overlap otherwise.
     void barContacts() { mGuardedFor = std::numeric_limits<int>::max(); }
     //! Minimises the energy of every chart by Newton steps with the seams fixed. When stopped, the chart
     //! under way stays as it was, so that more time never gives less.

@@ -9,9 +9,12 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! What a small chart counts as on rough surfaces, in seam cost: about what growing it to a chart of
-//! CutState::smallestChart() adds.
-constexpr double smallChartCost = 0.03;
+//! What small charts count as, in seam cost. A smooth surface needs none; of a rough one, one more or less
+//! means little. Growing one to CutState::smallestChart() adds about .03.
+double costOfSmallCharts(int count)
+{
+    return 0.3 * std::min(count, 10) + 0.03 * count;
+}
 
 } // namespace
 
@@ -56,11 +59,9 @@ bool Ranking::better(const Candidate &a, const Candidate &b) const
     const bool bFits = b.bounded <= mOptions.maxDistortion;
     if (aFits != bFits)
         return aFits;
-    if (aFits && std::max(a.smallCharts, b.smallCharts) > search::CutState::manySmallParts)
-        return a.seamCost + smallChartCost * a.smallCharts < b.seamCost + smallChartCost * b.smallCharts;
-    if (aFits && a.smallCharts != b.smallCharts)
-        return a.smallCharts < b.smallCharts;
-    return aFits ? a.seamCost < b.seamCost : a.bounded < b.bounded;
+    if (!aFits)
+        return a.bounded < b.bounded;
+    return a.seamCost + costOfSmallCharts(a.smallCharts) < b.seamCost + costOfSmallCharts(b.smallCharts);
 }
 
 void Ranking::setTotal(int steps)

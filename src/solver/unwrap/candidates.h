@@ -34,8 +34,8 @@ public:
     Ranking(const UnwrapOptions &options, const JobContext &job) : mOptions(options), mJob(job) {}
 
     //! True when a is better than b. Fewer faults at the anchors win, then fewer open joins; a map within the
-    //! bound is better than one above it. Within the bound fewer small charts win, then cheaper seams; above
-    //! it lower distortion wins. With a given lambda, the lower objective wins.
+    //! bound is better than one above it. Within the bound cheaper seams win, small charts being counted as
+    //! some seam; above it lower distortion wins. With a given lambda, the lower objective wins.
     bool better(const Candidate &a, const Candidate &b) const;
 
     //! Sets the number of steps of the search that begins; the reported progress never goes back.

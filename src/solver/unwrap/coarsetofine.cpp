@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -249,24 +250,35 @@ void leaveDiagonals(const Soup &soup, SeamedMap &map)
     }
 }
 
-//! Makes charts of single triangles that have hardly any area in the map.
-void isolateLost(const Soup &soup, SeamedMap &map)
+//! Makes charts of single triangles that have hardly any area in the map. Those of larger polygons, and those
+//! with an edge that the user joined, stay.
+void isolateLost(const Soup &soup, const Snapshot &snapshot, SeamedMap &map)
 {
+    const MeshData &mesh = *soup.mesh;
     std::vector<char> lost(soup.triangleCount(), 0);
     for (int t = 0; t < soup.triangleCount(); ++t) {
-        lost[t] =
-            !(search::triangleEnergy(&map.x[6 * static_cast<std::size_t>(t)], soup.basis[t]) < lostEnergy);
-        for (int k = 0; k < 3 && lost[t]; ++k)
-            cornerAt(map.x, 3 * t + k) = cornerAt(soup.restShape[t], k);
+        const double *at = &map.x[6 * static_cast<std::size_t>(t)];
+        lost[t] = mesh.trianglesOf(mesh.triangleFace[t]).size() == 1 &&
+                  !(search::triangleEnergy(at, soup.basis[t]) < lostEnergy);
     }
     for (std::size_t e = 0; e < map.cut.size(); ++e) {
-        const auto [a, b] = soup.mesh->edgePairs[e].triangle;
-        map.cut[e] = map.cut[e] || lost[a] || lost[b];
+        if (snapshot.isJoined(e)) {
+            for (const int t : mesh.edgePairs[e].triangle)
+                lost[t] = 0;
+        }
+    }
+    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+        if (lost[c / 3])
+            cornerAt(map.x, c) = cornerAt(soup.restShape[c / 3], c % 3);
+    }
+    for (std::size_t e = 0; e < map.cut.size(); ++e) {
+        const auto [one, other] = mesh.edgePairs[e].triangle;
+        map.cut[e] = map.cut[e] || lost[one] || lost[other];
     }
 }
 
 //! The refined map as coordinates and cut flags of the fine mesh.
-SeamedMap fineMap(const Soup &soup, const multires::MapRefiner &refiner)
+SeamedMap fineMap(const Soup &soup, const Snapshot &snapshot, const multires::MapRefiner &refiner)
 {
     SeamedMap map;
     map.x.resize(soup.coordinateCount());
@@ -276,7 +288,7 @@ SeamedMap fineMap(const Soup &soup, const multires::MapRefiner &refiner)
     map.cut.resize(mesh.edgePairs.size());
     for (std::size_t e = 0; e < map.cut.size(); ++e)
         map.cut[e] = refiner.cut[3 * mesh.edgePairs[e].triangle[0] + mesh.edgePairs[e].side(0)] != 0;
-    isolateLost(soup, map);
+    isolateLost(soup, snapshot, map);
     leaveDiagonals(soup, map);
     return map;
 }
@@ -304,12 +316,13 @@ std::optional<CarriedMap> usable(const std::shared_ptr<const Soup> &soup, const 
     return job.stopped() ? std::nullopt : std::optional(std::move(carried));
 }
 
-//! Relaxes the charts one by one that overlap themselves once the whole map is relaxed, from where they were.
-//! Then seams are added where the bound requires it. \param before the map before it was relaxed
-//! \returns nothing when overlaps cannot be removed, or when stopped
-std::optional<SeamedMap> relaxedByCharts(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+//! A relaxed map in which charts may overlap themselves, without overlaps: those charts go back to where they
+//! were, and are relaxed one by one with their boundaries barred. Where that misses the bound, seams are
+//! added. \param before the map before it was relaxed \param show receives the map before seams are added
+//! \returns nothing when overlaps cannot be removed
+std::optional<SeamedMap> withoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                                          const UnwrapOptions &options, const SeamedMap &before, SeamedMap map,
-                                         const JobContext &job)
+                                         const std::function<void(SeamedMap)> &show, const JobContext &job)
 {
     const CutMesh charts(*soup->mesh, map.cut);
     std::vector<char> covers(charts.chartCount, 0);
@@ -326,7 +339,10 @@ std::optional<SeamedMap> relaxedByCharts(const std::shared_ptr<const Soup> &soup
     if (!options.allowOverlaps && definite::coversItself(*soup, map) &&
         !definite::removeOverlaps(*soup, snapshot, map, job))
         return std::nullopt;
-    search::CutState state = search::CutState::from(search::SeamGraph::build(soup, snapshot), map);
+    Snapshot preferred = preference::SeamPreference().applied(snapshot, job.threads());
+    preferred.rigid = nullptr; // rigid regions settle afterwards
+    search::CutState state =
+        search::CutState::from(search::SeamGraph::build(soup, preferred), map, snapshot.placesIslands());
     std::vector<char> which(state.chartCount(), 0);
     for (int t = 0; t < soup->triangleCount(); ++t)
         which[state.chart[t]] |= covers[charts.chart[t]];
@@ -334,25 +350,25 @@ std::optional<SeamedMap> relaxedByCharts(const std::shared_ptr<const Soup> &soup
     trial.barContacts();
     trial.relaxCharts(which, guardedSteps, true, job.quiet());
     const double room = options.maxDistortion - 4;
-    if (!options.lambda && state.distortion > 4 + room && state.distortion < 4 + worthTaking * room) {
-        search::OptimizeOptions search;
-        search.maxDistortion = options.maxDistortion;
-        search.allowOverlaps = options.allowOverlaps;
-        search.effort = boundEffort;
-        search.job = job.quiet();
-        search::SeamRun run(search, std::move(state), snapshot.settings.seed);
-        run.takeToBound();
-        return job.stopped() ? std::nullopt : std::optional(run.best().map());
-    }
-    return job.stopped() ? std::nullopt : std::optional(state.map());
+    if (options.lambda || job.stopped() || state.distortion <= options.maxDistortion ||
+        state.distortion > 4 + worthTaking * room)
+        return state.map();
+    show(state.map());
+    search::OptimizeOptions search;
+    search.maxDistortion = options.maxDistortion;
+    search.allowOverlaps = options.allowOverlaps;
+    search.effort = boundEffort;
+    search.job = job.quiet();
+    search::SeamRun run(search, std::move(state), snapshot.settings.seed);
+    run.takeToBound();
+    return run.best().map();
 }
 
-//! Relaxes a carried map and removes overlaps unless they are allowed. \returns false when they cannot be
-//! removed, or when the job is stopped
+//! Relaxes a carried map, removes overlaps unless they are allowed, and adds seams where the bound requires
+//! it. \returns false when overlaps cannot be removed, or when the job is stopped before there is a map
 bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const UnwrapOptions &options,
            CarriedMap &carried, const CoarseSearch &search, const JobContext &job)
 {
-    SeamedMap &map = carried.map;
     CarriedMap relaxed = carried;
     const auto show = [&] {
         if (search.relaxing)
@@ -372,13 +388,26 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
         return false;
     const bool isUsable = options.allowOverlaps || !definite::coversItself(*soup, relaxed.map);
     if (isUsable && (options.lambda || relaxed.map.distortion(*soup) <= options.maxDistortion)) {
-        map = std::move(relaxed.map);
+        carried.map = std::move(relaxed.map);
         return true;
     }
-    std::optional<SeamedMap> byCharts = relaxedByCharts(soup, snapshot, options, map, relaxed.map, job);
-    if (!byCharts)
+    SeamedMap free = relaxed.map;
+    std::optional<SeamedMap> map = withoutOverlaps(
+        soup, snapshot, options, carried.map, free,
+        [&](SeamedMap found) {
+            relaxed.map = std::move(found);
+            show();
+        },
+        job);
+    if (!map)
         return false;
-    map = std::move(*byCharts);
+    carried.map = std::move(*map);
+    // A map that is far from the bound may be worse than the free one with its overlaps cut off.
+    const double distortion = carried.map.distortion(*soup);
+    const bool isFar = distortion > 4 + worthTaking * (options.maxDistortion - 4);
+    if (!isUsable && (options.lambda || isFar) && !job.stopped() &&
+        definite::removeOverlaps(*soup, snapshot, free, job) && free.distortion(*soup) < distortion)
+        carried.map = std::move(free);
     return true;
 }
 
@@ -425,7 +454,7 @@ public:
         refiner.refineTo(mSoup->triangleCount(), job);
         if (job.stopped())
             return std::nullopt;
-        SeamedMap map = fineMap(*mSoup, refiner);
+        SeamedMap map = fineMap(*mSoup, mSnapshot, refiner);
         if (!map.validate(*mSoup).empty())
             map = definite::stitchTo(mSoup, mSnapshot, map.cut, map.x, job);
         return job.stopped() ? std::nullopt : std::optional(std::move(map));
@@ -446,7 +475,7 @@ private:
 
 bool isLargeMesh(const MeshData &mesh)
 {
-    return mesh.triangleCount() > (getenv("LARGE") ? atoi(getenv("LARGE")) : largeMesh);
+    return mesh.triangleCount() > largeMesh;
 }
 
 bool suitsCoarseToFine(const Snapshot &snapshot)
