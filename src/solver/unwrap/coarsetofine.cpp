@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -317,49 +316,49 @@ std::optional<CarriedMap> usable(const std::shared_ptr<const Soup> &soup, const 
 }
 
 //! A relaxed map in which charts may overlap themselves, without overlaps: those charts go back to where they
-//! were, and are relaxed one by one with their boundaries barred. Where that misses the bound, seams are
-//! added. \param before the map before it was relaxed \param show receives the map before seams are added
-//! \returns nothing when overlaps cannot be removed
+//! were, and are relaxed one by one with their boundaries barred.
+//! \param before the map before it was relaxed \returns nothing when overlaps cannot be removed
 std::optional<SeamedMap> withoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                         const UnwrapOptions &options, const SeamedMap &before, SeamedMap map,
-                                         const std::function<void(SeamedMap)> &show, const JobContext &job)
+                                         const SeamedMap &before, SeamedMap map, const JobContext &job)
 {
     const CutMesh charts(*soup->mesh, map.cut);
     std::vector<char> covers(charts.chartCount, 0);
-    if (!options.allowOverlaps) {
-        overlap::visitOverlapsWithin(rowsOf(map.x), charts.chart, {}, [&](int t, int, double) {
-            covers[charts.chart[t]] = 1;
-            return true;
-        });
-    }
+    overlap::visitOverlapsWithin(rowsOf(map.x), charts.chart, {}, [&](int t, int, double) {
+        covers[charts.chart[t]] = 1;
+        return true;
+    });
     for (int c = 0; c < soup->mesh->soupCornerCount(); ++c) {
         if (covers[charts.chart[c / 3]])
             cornerAt(map.x, c) = cornerAt(before.x, c);
     }
-    if (!options.allowOverlaps && definite::coversItself(*soup, map) &&
-        !definite::removeOverlaps(*soup, snapshot, map, job))
+    if (definite::coversItself(*soup, map) && !definite::removeOverlaps(*soup, snapshot, map, job))
         return std::nullopt;
-    Snapshot preferred = preference::SeamPreference().applied(snapshot, job.threads());
-    preferred.rigid = nullptr; // rigid regions settle afterwards
     search::CutState state =
-        search::CutState::from(search::SeamGraph::build(soup, preferred), map, snapshot.placesIslands());
+        search::CutState::from(search::SeamGraph::build(soup, snapshot), map, snapshot.placesIslands());
     std::vector<char> which(state.chartCount(), 0);
     for (int t = 0; t < soup->triangleCount(); ++t)
         which[state.chart[t]] |= covers[charts.chart[t]];
     search::SeamTrial trial(state);
     trial.barContacts();
     trial.relaxCharts(which, guardedSteps, true, job.quiet());
-    const double room = options.maxDistortion - 4;
-    if (options.lambda || job.stopped() || state.distortion <= options.maxDistortion ||
-        state.distortion > 4 + worthTaking * room)
-        return state.map();
-    show(state.map());
+    return state.map();
+}
+
+//! The map with more seams, as many as the bound requires.
+SeamedMap atBound(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                  const UnwrapOptions &options, const SeamedMap &map, const JobContext &job)
+{
+    Snapshot preferred = preference::SeamPreference().applied(snapshot, job.threads());
+    preferred.rigid = nullptr; // rigid regions settle afterwards
     search::OptimizeOptions search;
     search.maxDistortion = options.maxDistortion;
     search.allowOverlaps = options.allowOverlaps;
     search.effort = boundEffort;
     search.job = job.quiet();
-    search::SeamRun run(search, std::move(state), snapshot.settings.seed);
+    search::SeamRun run(
+        search,
+        search::CutState::from(search::SeamGraph::build(soup, preferred), map, snapshot.placesIslands()),
+        snapshot.settings.seed);
     run.takeToBound();
     return run.best().map();
 }
@@ -386,28 +385,24 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
         leastGain);
     if (job.stopped())
         return false;
-    const bool isUsable = options.allowOverlaps || !definite::coversItself(*soup, relaxed.map);
-    if (isUsable && (options.lambda || relaxed.map.distortion(*soup) <= options.maxDistortion)) {
-        carried.map = std::move(relaxed.map);
-        return true;
+    const double far = 4 + worthTaking * (options.maxDistortion - 4);
+    if (!options.allowOverlaps && definite::coversItself(*soup, relaxed.map)) {
+        std::optional<SeamedMap> guarded = withoutOverlaps(soup, snapshot, carried.map, relaxed.map, job);
+        if (!guarded)
+            return false;
+        // When that is no good map, the freely relaxed one with its overlaps cut off may be better.
+        const double distortion = guarded->distortion(*soup);
+        if (!((options.lambda || distortion > far) && !job.stopped() &&
+              definite::removeOverlaps(*soup, snapshot, relaxed.map, job) &&
+              relaxed.map.distortion(*soup) < distortion))
+            relaxed.map = std::move(*guarded);
     }
-    SeamedMap free = relaxed.map;
-    std::optional<SeamedMap> map = withoutOverlaps(
-        soup, snapshot, options, carried.map, free,
-        [&](SeamedMap found) {
-            relaxed.map = std::move(found);
-            show();
-        },
-        job);
-    if (!map)
-        return false;
-    carried.map = std::move(*map);
-    // A map that is far from the bound may be worse than the free one with its overlaps cut off.
-    const double distortion = carried.map.distortion(*soup);
-    const bool isFar = distortion > 4 + worthTaking * (options.maxDistortion - 4);
-    if (!isUsable && (options.lambda || isFar) && !job.stopped() &&
-        definite::removeOverlaps(*soup, snapshot, free, job) && free.distortion(*soup) < distortion)
-        carried.map = std::move(free);
+    const double distortion = relaxed.map.distortion(*soup);
+    if (!options.lambda && !job.stopped() && distortion > options.maxDistortion && distortion <= far) {
+        show();
+        relaxed.map = atBound(soup, snapshot, options, relaxed.map, job);
+    }
+    carried.map = std::move(relaxed.map);
     return true;
 }
 
