@@ -289,6 +289,11 @@ void TestCliBake::texturesAreCarried()
     QCOMPARE(missing.code, 1);
     QVERIFY2(missing.err.contains(u"gone.png"_s), qPrintable(missing.err));
     QVERIFY(!QFileInfo::exists(at("missing/box_color.png")));
+    const test::CliRun unmapped =
+        runInProcess({u"transfer"_s, at("plain.obj"), u"--from"_s, at("low.obj"), u"--textures"_s,
+                      at("box_color.png"), u"-o"_s, at("unmapped")});
+    QCOMPARE(unmapped.code, 1);
+    QVERIFY2(unmapped.err.contains(u"no UV map to bake into"_s), qPrintable(unmapped.err));
     const QString roughness = at("carried/box_roughness.tif");
     QCOMPARE(decodePicture(test::readBytes(roughness), roughness)->depth, PictureDepth::Sixteen);
 }

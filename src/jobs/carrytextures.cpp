@@ -198,6 +198,9 @@ Result<MadePictures> carryTextures(const PictureInput &input, const std::optiona
                                    const CarryChoice &choice, const JobContext &context)
 {
     const Scene &scene = input.model.scene;
+    if (!scene.hasUv())
+        return Error{JobTexts::tr("the model has no UV map to bake into"), scene.path, 0,
+                     JobTexts::tr("Unwrap it first")};
     const double tileHeight = input.packing.tileHeight();
     const Result<Before> before = modelBefore(input, mapOfTextures, choice, context);
     if (!before)
