@@ -385,20 +385,21 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
         leastGain);
     if (job.stopped())
         return false;
-    const double far = 4 + worthTaking * (options.maxDistortion - 4);
+    const double tooFar = 4 + worthTaking * (options.maxDistortion - 4);
     if (!options.allowOverlaps && definite::coversItself(*soup, relaxed.map)) {
         std::optional<SeamedMap> guarded = withoutOverlaps(soup, snapshot, carried.map, relaxed.map, job);
         if (!guarded)
             return false;
         // When that is no good map, the freely relaxed one with its overlaps cut off may be better.
         const double distortion = guarded->distortion(*soup);
-        if (!((options.lambda || distortion > far) && !job.stopped() &&
-              definite::removeOverlaps(*soup, snapshot, relaxed.map, job) &&
-              relaxed.map.distortion(*soup) < distortion))
+        const bool isBetter = (options.lambda || distortion > tooFar) && !job.stopped() &&
+                              definite::removeOverlaps(*soup, snapshot, relaxed.map, job) &&
+                              relaxed.map.distortion(*soup) < distortion;
+        if (!isBetter)
             relaxed.map = std::move(*guarded);
     }
     const double distortion = relaxed.map.distortion(*soup);
-    if (!options.lambda && !job.stopped() && distortion > options.maxDistortion && distortion <= far) {
+    if (!options.lambda && !job.stopped() && distortion > options.maxDistortion && distortion <= tooFar) {
         show();
         relaxed.map = atBound(soup, snapshot, options, relaxed.map, job);
     }
