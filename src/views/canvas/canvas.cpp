@@ -184,10 +184,10 @@ void Canvas::upload()
     mTangentsStale |= (parts & (SceneContent::Vertices | SceneContent::Uvs)) != 0;
     if (parts & SceneContent::Vertices)
         mGl->soup.setVertices(mContent.vertices());
-    if (parts & SceneContent::Uvs) {
+    if (parts & SceneContent::Uvs)
         mGl->soup.setUvs(mContent.uvs());
+    if (parts & SceneContent::Ghost)
         mGl->soup.setGhostUvs(mContent.ghostUvs());
-    }
     if (parts & SceneContent::Faces) {
         mGl->soup.setFaces(mContent.faces());
         mGl->soup.setIslands(mContent.triangleIslands());

@@ -61,8 +61,10 @@ void SceneContent::connectAll()
     connect(&mContext.workspace, &Workspace::selectionChanged, this, &SceneContent::selectionChanged);
     connect(&mContext.shownMap, &ShownMap::changed, this, [this] {
         mShownUv.resize(0, 2);
-        mark(Uvs | Faces | Sides | (mAsMap ? Points : 0));
+        mark(Uvs | Faces | Sides | (mAsMap ? Points | Ghost : 0));
     });
+    if (mAsMap)
+        connect(&mContext.shownMap, &ShownMap::ghostChanged, this, [this] { mark(Ghost); });
     connect(&mContext.view, &ViewState::optionsChanged, this, &SceneContent::optionsChanged);
     connect(&mContext.view, &ViewState::hoverChanged, this, &SceneContent::changed);
     connect(&mContext.preferences, &Preferences::changed, this, &SceneContent::preferencesChanged);
@@ -260,13 +262,9 @@ int SceneContent::refresh()
     if (parts & Uvs) {
         mUvs = soupUvs(uv());
         mUvBox = layoutBox(uv());
-        mGhostUvs.clear();
-        const ShownMap &shown = mContext.shownMap;
-        if (mAsMap && shown.ghost().rows() > 0)
-            mGhostUvs = soupUvs(shown.ghost());
-        else if (mAsMap && shown.isSoup())
-            mGhostUvs = soupUvs(ghostUv(*own.mesh, shown.uv(), shown.separation()));
     }
+    if (parts & Ghost)
+        rebuildGhost();
     if (parts & Faces)
         rebuildFaces();
     if (parts & Sides) {
@@ -279,6 +277,16 @@ int SceneContent::refresh()
     if (parts & Points)
         rebuildPoints();
     return parts;
+}
+
+void SceneContent::rebuildGhost()
+{
+    mGhostUvs.clear();
+    const ShownMap &shown = mContext.shownMap;
+    if (mAsMap && shown.ghost().rows() > 0)
+        mGhostUvs = soupUvs(shown.ghost());
+    else if (mAsMap && shown.isSoup())
+        mGhostUvs = soupUvs(ghostUv(*meshParts().mesh, shown.uv(), shown.separation()));
 }
 
 void SceneContent::rebuildFaces()

@@ -23,7 +23,7 @@ class SceneContent final : public QObject
     Q_OBJECT
 
 public:
-    enum Part { Vertices = 1, Uvs = 2, Faces = 4, Sides = 8, Points = 16, AllParts = 31 };
+    enum Part { Vertices = 1, Uvs = 2, Faces = 4, Sides = 8, Points = 16, Ghost = 32, AllParts = 63 };
 
     //! \param asMap true for the UV view
     SceneContent(const StudioContext &context, bool asMap, QObject *parent = nullptr);
@@ -79,6 +79,7 @@ private:
     void optionsChanged();
     void preferencesChanged();
     const MeshParts &meshParts() const;
+    void rebuildGhost();
     void rebuildFaces();
     std::vector<float> measureDensity();
     bool showsTexelWeights() const;

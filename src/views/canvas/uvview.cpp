@@ -214,9 +214,10 @@ MapScene UvView::scene(GlResources &gl) const
     if (!content().ghostUvs().empty()) {
         scene.ghost = drawing;
         scene.ghost->ghost = true;
-        scene.ghost->fillOpacity = 0.5 * drawing.fillOpacity;
+        const double strength = studio().shownMap.ghostStrength();
+        scene.ghost->fillOpacity = 0.5 * strength * drawing.fillOpacity;
         scene.ghost->lineOpacity = 0;
-        drawing.fillOpacity *= 0.7;
+        drawing.fillOpacity *= 1 - 0.3 * strength;
     }
     scene.map = drawing;
     scene.points.asMap = true;

@@ -11,7 +11,7 @@ namespace autocuts {
 
 namespace {
 
-constexpr int fadingTime = 165; // milliseconds; chosen by hand
+constexpr int fadingTime = 240, fadingStep = 30; // milliseconds; chosen by hand
 
 //! 1 where a map is open, 0 where it is closed, as at a cut inside an island that opens nothing.
 std::vector<float> separationOf(const MeshData &mesh, const UvMatrix &uv)
@@ -27,11 +27,10 @@ std::vector<float> separationOf(const MeshData &mesh, const UvMatrix &uv)
 
 ShownMap::ShownMap(Workspace &workspace, QObject *parent) : QObject(parent), mWorkspace(workspace)
 {
-    mFading.setSingleShot(true);
-    mFading.setInterval(fadingTime);
-    connect(&mFading, &QTimer::timeout, this, &ShownMap::endFading);
+    mFading.setInterval(fadingStep);
+    connect(&mFading, &QTimer::timeout, this, &ShownMap::fade);
     connect(&workspace, &Workspace::documentReplaced, this, [this] {
-        mFading.stop();
+        stopFading();
         mGhost = {};
         mLive = false;
         mStale = true;
@@ -67,11 +66,15 @@ void ShownMap::showMap(const UvMatrix &map, UvMatrix ghost)
     const MeshData &mesh = mWorkspace.document()->mesh();
     UvMatrix shown = soupUv(mesh, map);
     const UvMatrix before = uv();
-    const bool fades = !isSoup() && before.rows() == shown.rows() && before.allFinite() && before != shown;
+    const std::vector<float> separationBefore = separation();
+    const bool fades = !isSoup() && before.rows() == shown.rows() && before.allFinite() &&
+                       shown.allFinite() && before != shown;
     setLive(false, separationOf(mesh, map), fades ? before : ghost);
     mUv = std::move(shown);
     if (fades) {
         mNextGhost = std::move(ghost);
+        mGlide.emplace(mesh, OpenedMap{before, separationBefore}, OpenedMap{mUv, mSeparation});
+        mFadingSince.start();
         mFading.start();
     }
     Q_EMIT changed();
@@ -86,7 +89,7 @@ void ShownMap::showSoup(UvMatrix soupUv, std::vector<float> separation, UvMatrix
 
 void ShownMap::setLive(bool soup, std::vector<float> separation, UvMatrix ghost)
 {
-    mFading.stop();
+    stopFading();
     mLive = true;
     mSoup = soup;
     mStale = false;
@@ -94,17 +97,31 @@ void ShownMap::setLive(bool soup, std::vector<float> separation, UvMatrix ghost)
     mGhost = std::move(ghost);
 }
 
-void ShownMap::endFading()
+void ShownMap::fade()
 {
-    mGhost = std::exchange(mNextGhost, {});
-    Q_EMIT changed();
+    const double share = double(mFadingSince.elapsed()) / fadingTime;
+    if (share < 1) {
+        mGhost = mGlide->at(share);
+        mGhostStrength = 1 - share;
+    } else {
+        mGhost = std::exchange(mNextGhost, {});
+        stopFading();
+    }
+    Q_EMIT ghostChanged();
+}
+
+void ShownMap::stopFading()
+{
+    mFading.stop();
+    mGlide.reset();
+    mGhostStrength = 1;
 }
 
 void ShownMap::showDocument()
 {
     if (!mLive)
         return;
-    mFading.stop();
+    stopFading();
     mLive = false;
     mStale = true;
     mGhost = {};

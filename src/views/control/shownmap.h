@@ -1,11 +1,13 @@
 // The map shown in both views.
 #pragma once
 
-#include "model/plain/types.h"
+#include "views/control/islandglide.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
+#include <optional>
 #include <vector>
 
 namespace autocuts {
@@ -14,9 +16,9 @@ class Workspace;
 
 //! The shown UVs per soup corner and the separation of every corner pair. They are those of the document, or,
 //! while a solve runs, those of its definite map or of its soup, in which the triangles are still separate.
-//! A definite map is shown at once, and the one before shines through for a moment, so that the eye can
-//! follow and what is shown is a valid map at every moment. Views and tools read the shown map only from
-//! here.
+//! A definite map is shown at once, so that what is shown is a valid map at every moment. The one before
+//! shines through while it fades, and its islands whose seams stayed glide to their new places, so that the
+//! eye can follow. Views and tools read the shown map only from here.
 class ShownMap final : public QObject
 {
     Q_OBJECT
@@ -30,6 +32,8 @@ public:
     bool isSoup() const { return mLive && mSoup; }
     //! What shines through the shown map: one row per soup corner, texture space; empty: nothing.
     const UvMatrix &ghost() const { return mGhost; }
+    //! How strong that is, from 0 to 1.
+    double ghostStrength() const { return mGhostStrength; }
     //! One row per soup corner, texture space; not finite for corners without a UV. Empty without a document.
     const UvMatrix &uv() const;
     //! Per corner pair, from 0 (closed) to 1 (cut): s_delta of the separation energy (paper, Eq. 6) while a
@@ -50,17 +54,23 @@ public:
 Q_SIGNALS:
     //! UVs or separation changed. Not emitted when the document is replaced; Workspace reports that.
     void changed();
+    //! What shines through changed, nothing else.
+    void ghostChanged();
 
 private:
     void refresh() const;
     void setLive(bool soup, std::vector<float> separation, UvMatrix ghost);
-    void endFading();
+    void fade();
+    void stopFading();
 
     Workspace &mWorkspace;
     bool mLive = false, mSoup = false;
     UvMatrix mGhost;
-    UvMatrix mNextGhost; //!< what shines through after the map before
-    QTimer mFading;      //!< runs while the map before shines through
+    double mGhostStrength = 1;
+    UvMatrix mNextGhost;               //!< what shines through after the map before
+    std::optional<IslandGlide> mGlide; //!< of the map before, while it shines through
+    QTimer mFading;
+    QElapsedTimer mFadingSince;
     mutable bool mStale = true;
     mutable UvMatrix mUv;
     mutable std::vector<float> mSeparation;
