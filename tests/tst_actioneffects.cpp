@@ -6,6 +6,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <QThread>
 
 #include <numeric>
 
@@ -326,6 +327,30 @@ private Q_SLOTS:
         QVERIFY(!studio.solver.isRunning());
         QCOMPARE(studio.entries(), 1);
         QVERIFY(loadProject(file).value().state.scene.uvSets[0].uv == studio.document().uv());
+    }
+
+    void leavingARunningJobIsAsked()
+    {
+        GridStudio studio;
+        const auto waits = [](JobControl &job) {
+            while (!job.stop())
+                QThread::msleep(1);
+            return true;
+        };
+        QVERIFY(studio.map.jobs().start(QStringLiteral("Unwrapping"), waits, [](bool) {}));
+        studio.answers.confirms = false;
+        QVERIFY(!studio.actions.file().mayClose());
+        studio.trigger("file.close");
+        QVERIFY(studio.workspace.document());
+        QVERIFY(studio.map.jobs().isBusy());
+        QCOMPARE(studio.answers.confirmations.size(), 2);
+        studio.answers.confirms = true;
+        studio.trigger("file.close");
+        QCOMPARE(studio.answers.confirmations.size(), 3);
+        QVERIFY(!studio.workspace.document());
+        QVERIFY(!studio.map.jobs().isBusy());
+        QVERIFY(studio.actions.file().mayClose()); // there is nothing to ask about any more
+        QCOMPARE(studio.answers.confirmations.size(), 3);
     }
 
     void closingWaitsForASave()

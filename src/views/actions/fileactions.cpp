@@ -137,6 +137,18 @@ void FileActions::leaveSession(const std::function<void()> &then)
 
 bool FileActions::mayLeave()
 {
+    return mayEndJob() && mayLeaveChanges();
+}
+
+bool FileActions::mayEndJob()
+{
+    const JobRunner &jobs = mContext.map.jobs();
+    return !jobs.isBusy() || mQuestions.confirm(tr("%1: stop it?").arg(jobs.title()),
+                                                tr("What it has found so far will be lost."), tr("Stop it"));
+}
+
+bool FileActions::mayLeaveChanges()
+{
     FileController &files = mContext.files;
     files.waitForSaves();
     if (!mContext.workspace.isModified() && !files.isGone())
@@ -156,10 +168,12 @@ bool FileActions::mayLeave()
 
 bool FileActions::mayClose()
 {
+    if (!mayEndJob())
+        return false;
     SolverController &solver = mContext.solver;
     const bool solves = solver.isRunning() || solver.isPausing();
     if (!solves || (!solver.map() && !mContext.workspace.isModified()))
-        return mayLeave();
+        return mayLeaveChanges();
     // The question does not wait for the solver.
     switch (mQuestions.askUnsaved(mContext.workspace.name(), mContext.files.isGone())) {
     case Questions::Unsaved::Save:

@@ -45,7 +45,7 @@ public:
     //! For the window's closeEvent. Asks at once. False when the user cancelled, or when what a running solve
     //! has found is to be saved first; the window is then closed after that.
     bool mayClose();
-    //! Asks about unsaved changes before another model is opened. False: the session stays.
+    //! Asks about a running job and unsaved changes before another model is opened. False: the session stays.
     //! \pre no solve runs
     bool mayLeave();
     //! Saves to the session's file, or asks for one.
@@ -55,6 +55,8 @@ public:
 private:
     void connectActions();
     void leaveSession(const std::function<void()> &then);
+    bool mayEndJob();
+    bool mayLeaveChanges();
     void askOpen();
     void askRelink();
     void askExportAgain();

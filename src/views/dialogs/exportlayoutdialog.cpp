@@ -54,7 +54,8 @@ ExportLayoutDialog::ExportLayoutDialog(int size, const QString &path, std::vecto
     mFill->setChecked(defaults.fill);
     mEdges->setChecked(defaults.edges);
     mSeams->setChecked(defaults.seams);
-    connect(mFill, &QCheckBox::toggled, mBleed, &QWidget::setEnabled);
+    connect(mFill, &QCheckBox::toggled, mBleed,
+            [this](bool fills) { enableOrSay(mBleed, fills, tr("Only filled islands bleed")); });
     mOverlaps->setObjectName(QStringLiteral("overlaps"));
     enableOrSay(mOverlaps, !mOverlapping.empty(), tr("The map has no overlaps, or was not measured yet"));
     mOverlaps->setChecked(!mOverlapping.empty());
@@ -128,7 +129,7 @@ void ExportLayoutDialog::offerParts(bool hidden, bool selected)
         mPart->addItem(tr("What is shown"), int(LayoutPart::Shown));
     if (selected)
         mPart->addItem(tr("The selected faces"), int(LayoutPart::Selected));
-    mPart->setEnabled(mPart->count() > 1);
+    enableOrSay(mPart, mPart->count() > 1, tr("Nothing is hidden, and no face is selected"));
 }
 
 LayoutPart ExportLayoutDialog::part() const

@@ -306,8 +306,8 @@ void LightBakeDialog::showState()
     enableOrSay(mSkyColors[0], kind == SkyKind::Color || kind == SkyKind::Gradient, why);
     for (const std::size_t k : {1U, 2U})
         enableOrSay(mSkyColors[k], kind == SkyKind::Gradient, why);
-    mSkyStrength->setEnabled(kind != SkyKind::None);
-    mTurbidity->setEnabled(kind == SkyKind::Day);
+    enableOrSay(mSkyStrength, kind != SkyKind::None, tr("There is no sky"));
+    enableOrSay(mTurbidity, kind == SkyKind::Day, tr("Only the sky of a day has haze"));
     mLamps->setUp(mUp->currentData().toBool() ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::UnitY()));
     mProblem->setText(problem());
     disableFor(mProblem->text(), mBake);

@@ -86,10 +86,10 @@ void GivenSeamForm::setSettings(const SolveSettings &settings)
     const QSignalBlocker blocker(mAngle);
     mAngle->setValue(settings.givenSeams.sharpAngle);
     const bool given = settings.seams != SeamMode::Free;
+    const QString why = tr("Free seams do not depend on it: choose those of yours, to keep or alone");
     for (const Source &source : mSources)
-        enableOrSay(source.box, given,
-                    tr("Free seams do not depend on it: choose those of yours, to keep or alone"));
-    mAngle->setEnabled(given);
+        enableOrSay(source.box, given, why);
+    enableOrSay(mAngle, given, why);
 }
 
 } // namespace autocuts

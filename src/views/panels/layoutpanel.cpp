@@ -9,6 +9,7 @@
 #include "views/panels/controls.h"
 #include "views/state/viewstate.h"
 #include "views/tools/layoutchoices.h"
+#include "views/ui/reasons.h"
 #include "views/ui/scrublabel.h"
 
 #include <QCheckBox>
@@ -277,7 +278,7 @@ void LayoutPanel::refresh()
     for (const int axis : {0, 1}) {
         mSize[axis]->setMinimum(texels ? 0.01 : smallest);
         mCursor[axis]->setValue(tools.cursor[axis] * unit()[axis]);
-        mCursor[axis]->setEnabled(tools.pivot == Pivot::Cursor);
+        enableOrSay(mCursor[axis], tools.pivot == Pivot::Cursor, tr("The pivot is not the 2D cursor"));
     }
     showNumbers();
 }
@@ -290,7 +291,9 @@ void LayoutPanel::showNumbers()
         islands = movableIslands(*document(), context().view.tools());
     for (QWidget *field :
          std::initializer_list<QWidget *>{mPosition[0], mPosition[1], mSize[0], mSize[1], mTurn})
-        field->setEnabled(!islands.isEmpty());
+        enableOrSay(field, !islands.isEmpty(),
+                    rests ? tr("Select islands that may move first")
+                          : tr("Islands are placed when no solve and no job runs"));
     if (!mGesture.isActive())
         mTurn->setValue(0);
     if (islands.isEmpty()) {

@@ -2,6 +2,7 @@
 
 #include "views/panels/controls.h"
 #include "views/panels/sliderspin.h"
+#include "views/ui/reasons.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -56,7 +57,7 @@ void SeamPreferenceForm::setSettings(const SolveSettings &settings)
     const QSignalBlocker blockCreases(mCreases);
     mCreases->setCurrentIndex(mCreases->findData(int(settings.creases)));
     mCreaseStrength->setValue(settings.creaseStrength);
-    mCreaseStrength->setEnabled(settings.creases != CreaseMode::Off);
+    enableOrSay(mCreaseStrength, settings.creases != CreaseMode::Off, tr("Sharp edges do not count"));
     mVisibility->setValue(settings.visibility);
 }
 

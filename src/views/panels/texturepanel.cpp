@@ -178,7 +178,7 @@ void TexturePanel::fillMaterials()
     if (faces.empty() || std::find(faces.begin(), faces.end(), -1) != faces.end())
         mMaterial->addItem(tr("Faces without a material"), -1);
     mMaterial->setCurrentIndex(std::max(0, mMaterial->findData(shown)));
-    mMaterial->setEnabled(mMaterial->count() > 1);
+    enableOrSay(mMaterial, mMaterial->count() > 1, tr("The model has no other material"));
 }
 
 QString TexturePanel::fileText(const TextureSet &set, TextureChannel wanted) const
@@ -229,7 +229,8 @@ void TexturePanel::refreshButtons()
         for (int component = 0; component < std::ssize(names); ++component)
             mComponent->addItem(names[static_cast<std::size_t>(component)], component);
     }
-    mComponent->setEnabled(hasPicture && mComponent->count() > 1);
+    enableOrSay(mComponent, hasPicture && mComponent->count() > 1,
+                hasPicture ? tr("Nothing else fits this channel") : tr("The marked channel has no picture"));
     // Of grey channels without a choice it is the red.
     mComponent->setCurrentIndex(std::max(0, mComponent->findData(hasPicture ? found->second.component : -1)));
     const auto normal = set.find(TextureChannel::Normal);

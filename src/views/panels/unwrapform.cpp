@@ -2,6 +2,7 @@
 
 #include "views/panels/controls.h"
 #include "views/panels/stretchcontrol.h"
+#include "views/ui/reasons.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -149,7 +150,8 @@ void UnwrapForm::setRecognised(std::optional<double> hardShare)
 void UnwrapForm::setSettings(const SolveSettings &settings)
 {
     mSurface->setCurrentIndex(mSurface->findData(int(settings.surface)));
-    mFlat->setEnabled(settings.surface != SurfaceKind::Organic);
+    enableOrSay(mFlat, settings.surface != SurfaceKind::Organic,
+                tr("An organic surface has no flat faces to keep"));
     mStretch->setValue(settings.maxDistortion);
     mFlat->setChecked(settings.flat == FlatMode::Rigid && settings.surface != SurfaceKind::Organic);
     mAlike->setCurrentIndex(mAlike->findData(int(settings.alike)));

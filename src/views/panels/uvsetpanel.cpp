@@ -6,6 +6,7 @@
 #include "views/control/uvsetediting.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
+#include "views/ui/reasons.h"
 
 #include <QAction>
 #include <QListWidget>
@@ -90,7 +91,8 @@ void UvSetPanel::refresh()
         mList->item(i)->setText(sets[static_cast<std::size_t>(i)].name);
     }
     mList->setCurrentRow(document()->activeUvSet());
-    mList->setEnabled(!context().map.jobs().isBusy());
+    enableOrSay(mList, !context().map.jobs().isBusy(),
+                tr("A job is running: wait for its end, or cancel it"));
 }
 
 } // namespace autocuts

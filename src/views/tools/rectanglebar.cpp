@@ -6,6 +6,7 @@
 #include "views/tools/rectangles.h"
 #include "views/ui/icons.h"
 #include "views/ui/inputguard.h"
+#include "views/ui/reasons.h"
 #include "views/ui/scrublabel.h"
 
 #include <QCheckBox>
@@ -238,8 +239,8 @@ void RectangleBar::refresh()
     mHard->setChecked(shown->hard);
     const QSignalBlocker blocker(mWeight);
     mWeight->setValue(shown->weight);
-    mWeight->setEnabled(!shown->hard);
-    mClear->setEnabled(!shown->faces.isEmpty());
+    enableOrSay(mWeight, !shown->hard, tr("A hard rectangle is obeyed in any case"));
+    enableOrSay(mClear, !shown->faces.isEmpty(), tr("No faces belong to it"));
     showNumbers(*shown);
     place();
 }
