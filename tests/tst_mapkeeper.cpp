@@ -88,6 +88,8 @@ struct Bench : QObject
             return QStringLiteral("%1 flips, %2 overlaps").arg(figures.flipped).arg(figures.overlapPairs);
         if (std::abs(figures.symDirichlet - map.distortion) > 1e-3 || figures.charts != map.islands)
             return QStringLiteral("it says D %1 and %2 islands").arg(map.distortion).arg(map.islands);
+        if (std::abs(figures.seamNorm - map.seamLength) > 1e-9)
+            return QStringLiteral("it says seams of %1, not %2").arg(map.seamLength).arg(figures.seamNorm);
         return {};
     }
     QString problems() const
@@ -140,7 +142,7 @@ private Q_SLOTS:
     void everyMapIsValidAndTheLastOneIsGood_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char *name : {"sphere", "torus", "bumpycube", "grid"})
+        for (const char *name : {"sphere", "turned sphere", "torus", "bumpycube", "grid"})
             QTest::newRow(name) << QString::fromLatin1(name);
     }
     void everyMapIsValidAndTheLastOneIsGood()

@@ -2,6 +2,7 @@
 
 #include "model/samples/samples.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -102,6 +103,26 @@ MeshPtr sphere(int rings, int segments)
     return polygonMesh(points, faces);
 }
 
+MeshPtr turnedSphere(int rings, int segments)
+{
+    const MeshPtr whole = sphere(rings, segments);
+    std::vector<Vec3> points;
+    for (int v = 0; v < whole->vertexCount(); ++v)
+        points.emplace_back(whole->positions.row(v));
+    std::vector<std::vector<int>> faces;
+    for (int face = 0; face < whole->faceCount(); ++face) {
+        std::vector<int> corners(whole->cornerVertex.begin() + whole->faceStart[face],
+                                 whole->cornerVertex.begin() + whole->faceStart[face + 1]);
+        double height = 0;
+        for (const int v : corners)
+            height += points[v].z();
+        if (height < 0)
+            std::reverse(corners.begin(), corners.end());
+        faces.push_back(std::move(corners));
+    }
+    return polygonMesh(points, faces);
+}
+
 MeshPtr torus(int major, int minor)
 {
     std::vector<Vec3> points;
@@ -151,6 +172,8 @@ MeshPtr meshNamed(const QString &name)
         return grid(5, 0.3);
     if (name == QLatin1String("sphere"))
         return sphere(6, 8);
+    if (name == QLatin1String("turned sphere"))
+        return turnedSphere(6, 8);
     if (name == QLatin1String("torus"))
         return torus(8, 6);
     if (name == QLatin1String("dirty"))

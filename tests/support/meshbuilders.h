@@ -25,6 +25,8 @@ MeshPtr quadCube();
 MeshPtr grid(int n, double height = 0);
 //! Closed sphere of triangles, `rings` x `segments`.
 MeshPtr sphere(int rings, int segments);
+//! The same with the faces of its lower half turned over: no map can close the equator.
+MeshPtr turnedSphere(int rings, int segments);
 //! Torus of quads.
 MeshPtr torus(int major, int minor);
 
@@ -33,7 +35,7 @@ MeshPtr torus(int major, int minor);
 MeshPtr dirty();
 
 //! One of these by its name, for rows of tests: "triangle", "cube", "quad cube", "grid" (bulged), "sphere",
-//! "torus" or "dirty"; of any other name, the sample that makeSample() has.
+//! "turned sphere", "torus" or "dirty"; of any other name, the sample that makeSample() has.
 MeshPtr meshNamed(const QString &name);
 
 //! Where the real meshes are: $AUTOCUTS_MESHES or ../shared/meshes beside the checkout; empty when absent.

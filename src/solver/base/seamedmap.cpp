@@ -5,6 +5,7 @@
 #include "solver/base/cornerat.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace autocuts {
 
@@ -45,6 +46,19 @@ double SeamedMap::seamLength(const Soup &soup) const
             sum += soup.pairLength[2 * e];
     }
     return sum;
+}
+
+double windingSeamLength(const MeshData &mesh)
+{
+    double both = 0; // sides of each edge
+    for (const BoundarySide &open : mesh.boundarySides) {
+        if (open.reason != OpenSide::Winding)
+            continue;
+        const std::array<int, 3> &corners = mesh.triangles[open.triangle];
+        both += (mesh.cornerPosition(corners[open.side]) - mesh.cornerPosition(corners[(open.side + 1) % 3]))
+                    .norm();
+    }
+    return both > 0 ? 0.5 * both / std::sqrt(mesh.area / std::numbers::pi) : 0;
 }
 
 double SeamedMap::seamCost(const Soup &soup, const Snapshot &snapshot) const

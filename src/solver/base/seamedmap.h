@@ -34,6 +34,10 @@ struct SeamedMap
     std::string validate(const Soup &soup) const;
 };
 
+//! 3D length of the edges between two faces whose windings disagree. They are seams of every map, which cut
+//! does not have. Scaled as seam_norm, to a mesh area of pi.
+double windingSeamLength(const MeshData &mesh);
+
 //! The map that UVs make: edges are cut where the UVs of their sides differ, and where `alwaysCut` says so.
 //! \param uv one row per corner, solver units
 //! \returns nothing when a corner has no UV, or a triangle is flipped or has no area

@@ -1,6 +1,7 @@
 #include "solver/live/worker.h"
 
 #include "model/plain/unionfind.h"
+#include "solver/base/seamedmap.h"
 #include "solver/homotopy/anneal.h"
 
 #include <algorithm>
@@ -263,7 +264,7 @@ void SolveWorker::giveResult()
     mStatus.energy = mLast.energy;
     mStatus.distortion = mLast.distortion;
     mStatus.separation = mLast.separation;
-    mStatus.seamLength = 0;
+    mStatus.seamLength = windingSeamLength(*soup.mesh);
     UnionFind pieces(soup.triangleCount());
     mStatus.islands = soup.triangleCount();
     for (std::size_t e = 0; e < soup.mesh->edgePairs.size(); ++e) {

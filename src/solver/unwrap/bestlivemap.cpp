@@ -144,23 +144,20 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     result->withinBound = result->distortion <= mOptions.maxDistortion;
     result->token = mToken;
     result->hardShare = mProblem.hardShare();
-    result->seamLength = map.seamLength(soup);
-    result->islands = CutMesh(*soup.mesh, map.cut).chartCount;
     result->cut = part.wholeCut(map.cut);
     result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh, mOptions.dragged,
                                 mProblem.plan().rotation(PackRotation::Free));
     result->hasRoom = mPlacing.hadRoom();
     result->mirroredArea = mProblem.mirroredArea();
     result->unmet = unmetSteering(whole, result->uv);
-    if (!part.isWhole()) {
-        metrics::UvMetricsOptions figures;
-        figures.overlaps = figures.gutter = false;
-        figures.tileHeight = whole.tileHeight;
-        const metrics::UvMetrics all = metrics::measureUv(*whole.mesh, result->uv, figures);
+    metrics::UvMetricsOptions figures;
+    figures.overlaps = figures.gutter = false;
+    figures.tileHeight = whole.tileHeight;
+    const metrics::UvMetrics all = metrics::measureUv(*whole.mesh, result->uv, figures);
+    result->seamLength = all.seamNorm;
+    result->islands = all.charts;
+    if (!part.isWhole())
         result->distortion = all.tileDirichlet;
-        result->seamLength = all.seamNorm;
-        result->islands = all.charts;
-    }
     if (deformed && effort == FitEffort::Quick)
         mUnfitted = state;
     mBest = std::move(state);

@@ -66,7 +66,7 @@ public:
             makeRoomForLines(soup, found, job);
         result.cut = mPart.wholeCut(found.map.cut);
         result.distortion = found.distortion;
-        result.seamLength = found.seamLength;
+        result.seamLength = found.seamLength + windingSeamLength(*soup->mesh);
         result.onlyPatches = found.onlyPatches;
         result.lambda = found.lambda;
         result.delta = found.delta;
@@ -207,7 +207,7 @@ void checkOptions(const UnwrapOptions &options)
 
 } // namespace
 
-UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, const JobContext &job)
+UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, const JobContext &caller)
 {
     checkOptions(options);
     const Snapshot snapshot = withFreeStacks(given);
@@ -218,6 +218,14 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, con
         result.uv = snapshot.uv ? *snapshot.uv : emptyLayout(*snapshot.mesh);
         return result;
     }
+    // The search knows nothing of seams that no map can close.
+    const double alwaysOpen = windingSeamLength(*part->snapshot().mesh);
+    const JobContext::Sink withAll = [&](JobProgress progress) {
+        if (progress.seamLength > 0)
+            progress.seamLength += alwaysOpen;
+        caller.report(progress);
+    };
+    const JobContext job = caller.reports() ? caller.watchedBy(withAll) : caller;
     const Snapshot &problem = part->withoutRectangles();
     const straight::StraightPlan plan = straight::StraightPlan::of(part->snapshot());
     UnwrapOptions searched = options;

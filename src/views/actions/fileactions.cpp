@@ -143,7 +143,7 @@ bool FileActions::mayLeave()
 bool FileActions::mayEndJob()
 {
     const JobRunner &jobs = mContext.map.jobs();
-    return !jobs.isBusy() || mQuestions.confirm(tr("%1: stop it?").arg(jobs.title()),
+    return !jobs.isBusy() || mQuestions.confirm(tr("%1 is still going on. Stop it?").arg(jobs.title()),
                                                 tr("What it has found so far will be lost."), tr("Stop it"));
 }
 
