@@ -7,6 +7,7 @@
 #include "solver/base/rigidfit.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/unwrap/aligning.h"
+#include "solver/unwrap/finishjob.h"
 #include "solver/unwrap/liveplacing.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/unwrap.h"
@@ -361,6 +362,32 @@ private Q_SLOTS:
         }
         QVERIFY2(std::abs(is / small / factor - 1) < 0.02, qPrintable(u"%1 to %2"_s.arg(small).arg(is)));
         QVERIFY(udimTiles(mesh, after, 1) == scaled.tiles());
+    }
+
+    //! Islands that Finish changes keep the margin of the layout, and no map is taken that is worse.
+    void finishingAgainMakesNothingWorse()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = makeSample(u"machine"_s).value().mesh;
+        snapshot.keepTiles = true;
+        unwrap::UnwrapOptions draft;
+        draft.quality = unwrap::UnwrapQuality::Draft;
+        UvMatrix uv = unwrap::unwrapMesh(snapshot, draft).uv;
+        const double margin = packing::PackOptions().margin / packing::PackOptions().textureSize;
+        for (int round = 0; round < 2; ++round) {
+            const metrics::UvMetrics before = metrics::measureUv(*snapshot.mesh, uv);
+            QVERIFY(before.minGutter >= 0.999 * margin);
+            snapshot.uv = std::make_shared<const UvMatrix>(uv);
+            snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
+            const unwrap::FinishResult made = unwrap::finishMap({.snapshot = snapshot});
+            const metrics::UvMetrics after = metrics::measureUv(*snapshot.mesh, made.uv);
+            QVERIFY2(after.minGutter >= 0.999 * margin,
+                     qPrintable(QString::number(after.minGutter / margin)));
+            QVERIFY2(after.seamNorm <= before.seamNorm || after.symDirichlet <= before.symDirichlet,
+                     qPrintable(u"round %1: %2 to %3"_s.arg(round).arg(before.seamNorm).arg(after.seamNorm)));
+            QCOMPARE(made.nothingGained, made.uv == uv);
+            uv = made.uv;
+        }
     }
 
     //! A live map that has no room makes all islands of the tile smaller; when the next one fits again, it is

@@ -93,9 +93,12 @@ def faults(program, words, before, folder):
     run = program.run(words)
     found, after = program.faults(run), contents(folder)
     changed = [name for name in before if after.get(name) != before[name]]
-    # Several inputs go into a folder, with a journal: what succeeds before one fails stays.
-    folders = [name.removesuffix(JOURNAL) for name in after if name.endswith("/" + JOURNAL) and name not in before]
-    was, now = ({name: data for name, data in files.items() if not name.startswith(tuple(folders))}
+    # Several inputs go into a folder, with a journal: what succeeds before one fails stays, and the report tells of all.
+    stays = [name.removesuffix(JOURNAL) for name in after if name.endswith("/" + JOURNAL) and name not in before]
+    if stays:
+        stays += [value for option, value in zip(words, words[1:]) if option == "--report"]
+        stays += [word.removeprefix("--report=") for word in words if word.startswith("--report=")]
+    was, now = ({name: data for name, data in files.items() if not name.startswith(tuple(stays))}
                 for files in (before, after))
     if run.code in (1, 2) and was != now:
         found.append("a failed run wrote files")

@@ -284,6 +284,8 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
     if (made.madeSmaller)
         outcome.warnings << QStringLiteral("there is no room for the islands at their scale: all of a tile "
                                            "are smaller now");
+    if (made.nothingGained)
+        outcome.notes << QStringLiteral("no better map was found: it stays as it was");
     if (made.notReplaced > 0)
         outcome.notes << QStringLiteral("islands that stay as they were, because there is no room for better "
                                         "ones: %1")

@@ -27,11 +27,12 @@ struct FinishInput
 
 struct FinishResult
 {
-    UvMatrix uv;              //!< per corner, texture space; no rows when stopped before there was a map
-    double distortion = 0;    //!< mean symmetric Dirichlet energy
-    bool noRoom = false;      //!< the islands had to be packed and there is no room for them
-    bool madeSmaller = false; //!< there was no room at their scale: the islands of some tiles are smaller
-    int notReplaced = 0;      //!< islands that stay as they were, because there is no room for better ones
+    UvMatrix uv;                //!< per corner, texture space; no rows when stopped before there was a map
+    double distortion = 0;      //!< mean symmetric Dirichlet energy
+    bool noRoom = false;        //!< the islands had to be packed and there is no room for them
+    bool madeSmaller = false;   //!< there was no room at their scale: the islands of some tiles are smaller
+    bool nothingGained = false; //!< no better map was found: uv is the map before the job
+    int notReplaced = 0;        //!< islands that stay as they were, because there is no room for better ones
     //! The map still has overlaps; edges joined by the user prevent cutting them apart.
     bool heldTogether = false;
     //! Set when something was to be straight: false when stopped before all of that was done.

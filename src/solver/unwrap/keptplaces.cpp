@@ -21,12 +21,6 @@ constexpr double worthPacking = 0.1;
 constexpr double lostAlignment = 0.02;
 constexpr double rounding = 1e-9;
 
-std::size_t countOf(const UnmetSteering &unmet)
-{
-    return unmet.pins.size() + unmet.joins.size() + unmet.rectangles.size() + unmet.missingSeams.size() +
-           unmet.bent.size();
-}
-
 bool isAny(const std::vector<bool> &flags)
 {
     return std::ranges::find(flags, true) != flags.end();
@@ -205,7 +199,7 @@ bool keepPlaces(const Snapshot &snapshot, const FreePart &part, const PackJob &p
         return true;
     if (mixed.tileDirichlet > std::max(maxDistortion, made.tileDirichlet) + rounding ||
         mixed.axisAlignedShare < made.axisAlignedShare - lostAlignment ||
-        countOf(unmetSteering(snapshot, kept.uv)) > countOf(unmetSteering(snapshot, map.uv)))
+        unmetSteering(snapshot, kept.uv).count() > unmetSteering(snapshot, map.uv).count())
         return false;
     map = std::move(kept);
     return true;

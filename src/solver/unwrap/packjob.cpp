@@ -3,11 +3,13 @@
 #include "model/plain/rigidpieces.h"
 #include "model/plain/udimtiles.h"
 #include "model/plain/uvlayout.h"
+#include "solver/overlap/nearcharts.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/packing/packmap.h"
 #include "solver/straight/straightening.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <set>
 
@@ -57,7 +59,9 @@ public:
                           job))
                 return false;
         }
-        return true;
+        bool free = true;
+        visitTooNear(uv, [&](int p, int q) { free = free && mRigid.locked[p] && mRigid.locked[q]; });
+        return free;
     }
 
     std::vector<bool> misplaced(const UvMatrix &uv, const JobContext &job) const
@@ -76,17 +80,22 @@ public:
                 away[piece] = true;
         }
         std::vector<std::vector<int>> meets(pieces.count);
+        const auto meet = [&](int p, int q) {
+            if (!meets[p].empty() && meets[p].back() == q)
+                return;
+            meets[p].push_back(q);
+            meets[q].push_back(p);
+        };
         overlap::OverlapOptions options;
         options.job = job.quiet();
         overlap::visitOverlaps(soupUv(mMesh, uv), options, [&](int a, int b, double) {
             const int p = pieces.faceChart[mMesh.triangleFace[a]],
                       q = pieces.faceChart[mMesh.triangleFace[b]];
-            if (p >= 0 && q >= 0 && p != q && (meets[p].empty() || meets[p].back() != q)) {
-                meets[p].push_back(q);
-                meets[q].push_back(p);
-            }
+            if (p >= 0 && q >= 0 && p != q)
+                meet(p, q);
             return true;
         });
+        visitTooNear(uv, meet);
         std::vector<int> order(pieces.count);
         std::iota(order.begin(), order.end(), 0);
         std::stable_sort(order.begin(), order.end(), [&](int p, int q) {
@@ -126,6 +135,14 @@ public:
     }
 
 private:
+    //! Calls visit(piece, other) for all pieces that are nearer to each other than the gap.
+    void visitTooNear(const UvMatrix &uv, const std::function<void(int, int)> &visit) const
+    {
+        if (mPack.gap > 0)
+            overlap::NearCharts(overlap::chartBorders(mMesh, mRigid.pieces, uv))
+                .visitNearer(mPack.gap, visit);
+    }
+
     //! Per piece: true when it is where it belongs before anything is packed. The others are no obstacles.
     std::vector<bool> placedBefore(const UvMatrix &uv) const
     {
@@ -328,6 +345,17 @@ PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &opt
         pack.rectangles.push_back(std::move(rectangle));
     }
     return pack;
+}
+
+double keptGap(const MeshData &mesh, const PackJob &pack, const UvMatrix &before)
+{
+    constexpr double rounding = 1e-6; // share of the distance
+    std::vector<IslandFlags> flags = pack.faceFlags;
+    flags.resize(mesh.faceCount());
+    const ChartMap pieces = rigidPieces(findCharts(mesh, before), flags).pieces;
+    const double nearest =
+        overlap::NearCharts(overlap::chartBorders(mesh, pieces, before)).smallestDistance();
+    return (1 - rounding) * std::min(nearest, pack.options.margin / pack.options.textureSize);
 }
 
 bool onlyRectangles(const PackJob &pack)

@@ -39,6 +39,9 @@ struct PackJob
     //! Islands are as large as their rectangles allow, for there is no other island whose scale they could
     //! have.
     bool fillRectangles = false;
+    //! Islands that are nearer to each other than this, UV units, are not where they belong; 0: those that
+    //! overlap. See keptGap().
+    double gap = 0;
     PackHurry hurry = PackHurry::Never;
     packing::DensityBasis density = packing::DensityBasis::FlatParts; //!< how islands get one texel density
 
@@ -49,6 +52,10 @@ struct PackJob
 //! A job that obeys the steering: locked and pinned islands and those outside the scope stay, stacks and
 //! groups are rigid, islands of a rectangle stay in it, and the others in their tile.
 [[nodiscard]] PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &options);
+
+//! The distance that islands keep which stay where they are when they change: the margin, or less where they
+//! were nearer to each other. UV units. \param before the map so far
+[[nodiscard]] double keptGap(const MeshData &mesh, const PackJob &pack, const UvMatrix &before);
 
 //! True when all islands may move and belong to rectangles: nothing but these says how large they are.
 [[nodiscard]] bool onlyRectangles(const PackJob &pack);
@@ -75,13 +82,14 @@ struct PackJob
 [[nodiscard]] bool packMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,
                                  UvMatrix &uv, const JobContext &job = {});
 
-//! Per face: true where an island that may move lies outside of its rectangle, tile or bin, or on an island
-//! that stays or is larger.
+//! Per face: true where an island that may move lies outside of its rectangle, tile or bin, or overlaps an
+//! island that stays or is larger, or is nearer to it than the gap.
 [[nodiscard]] std::vector<bool> misplacedFaces(const MeshData &mesh, const ChartMap &charts,
                                                const PackJob &pack, const UvMatrix &uv,
                                                const JobContext &job = {});
 
-//! True when every island that may move lies in its rectangle, its tile or the bin, and overlaps nothing.
+//! True when every island that may move lies in its rectangle, its tile or the bin, overlaps nothing, and
+//! keeps the gap.
 [[nodiscard]] bool liesFree(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,
                             const UvMatrix &uv, const JobContext &job = {});
 

@@ -19,10 +19,11 @@ struct UnmetSteering
     std::vector<int> missingSeams;
     std::vector<int> bent; //!< edge pairs of edge loops that the user wants straight, in islands without pins
 
-    bool empty() const
+    std::size_t count() const
     {
-        return pins.empty() && joins.empty() && rectangles.empty() && missingSeams.empty() && bent.empty();
+        return pins.size() + joins.size() + rectangles.size() + missingSeams.size() + bent.size();
     }
+    bool empty() const { return count() == 0; }
 };
 
 //! The edges of Steering::straightLoops that are not on one line with the others of their loop in an island.

@@ -279,6 +279,8 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
         result.problem =
             JobTexts::tr("The map still covers itself: joined edges hold it together there. Clear "
                          "some joins and finish again");
+    else if (made.nothingGained)
+        result.message = JobTexts::tr("Finished: no better map was found, it stays as it was");
     else
         result.message = JobTexts::tr("Finished: distortion %1").arg(made.distortion, 0, 'f', 4);
     if (!result.message.isEmpty() && made.madeSmaller)
