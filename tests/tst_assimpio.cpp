@@ -7,6 +7,7 @@
 #include "model/io/savefile.h"
 #include "support/meshbuilders.h"
 
+#include <QDataStream>
 #include <QDir>
 #include <QDirIterator>
 #include <QTemporaryDir>
@@ -367,6 +368,27 @@ void TestAssimpIo::concavePolygonsAreSplitAsInTheSoup()
     QVERIFY(difference(scene.value(), again, true) <= 6e-8f);
 }
 
+//! A binary Caligari file that claims to have -1 points.
+QByteArray impossibleCob()
+{
+    QByteArray bytes("Caligari V00.01BLH             \n");
+    QDataStream out(&bytes, QIODevice::Append);
+    out.setByteOrder(QDataStream::LittleEndian);
+    out.setFloatingPointPrecision(QDataStream::SinglePrecision);
+    const auto put = [&out](const char *text) { out.writeRawData(text, static_cast<int>(qstrlen(text))); };
+    constexpr int nameSize = 2 + 2 + 3, axesSize = 48, matrixSize = 48;
+    put("PolH");
+    out << qint16(0) << qint16(4) << qint32(1) << qint32(0) << qint32(nameSize + axesSize + matrixSize + 4);
+    out << qint16(1) << qint16(3);
+    put("Cub");
+    for (int i = 0; i < 24; ++i) // local axes, then the matrix
+        out << (i >= 12 && i % 5 == 2 ? 1.f : 0.f);
+    out << qint32(-1);
+    put("END ");
+    out << qint16(0) << qint16(1) << qint32(0) << qint32(0) << qint32(0);
+    return bytes;
+}
+
 void TestAssimpIo::badFiles_data()
 {
     QTest::addColumn<QString>("name");
@@ -382,6 +404,7 @@ void TestAssimpIo::badFiles_data()
                                                "property float y\nproperty float z\nend_header\n0 0 0\n");
     QTest::newRow("nan") << QStringLiteral("a.off")
                          << QByteArray("OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n");
+    QTest::newRow("less than no points") << QStringLiteral("a.cob") << impossibleCob();
     QTest::newRow("truncated gltf") << QStringLiteral("a.gltf") << instancedGltf().chopped(200);
 }
 

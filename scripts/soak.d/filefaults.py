@@ -175,8 +175,9 @@ class Sweep:
         left = self.all_names() - self.names - {"stdout", "stderr"}
         if "no backup" in run.err:  # the next save makes the backup of this file
             left -= {name + ".new" for name in self.output}
-        if killed:  # it may leave a single file that had no name before
+        if killed:  # it may leave a single file that had no name before, and the lock of a session, which is void then
             single = tuple(names[0] + "." for names in self.sets if len(names) == 1)
+            single += tuple(f".{name}.lock" for name in self.output if name.endswith(".acproj"))
             left = {name for name in left if not name.startswith(single)}
         if left:
             faults.append("other files are left")

@@ -39,7 +39,8 @@ Error unreadable(const QString &path, const QString &reason)
         return {u"the file cannot be read: %1"_s.arg(why), path, 0,
                 u"Open it in Blender and export it as glb or OBJ"_s};
     }
-    QString why = reason.simplified();
+    // What the standard library throws names its functions: "vector::_M_default_append".
+    QString why = reason.contains("::"_L1) ? QString() : reason.simplified();
     while (why.endsWith(u'.'))
         why.chop(1);
     return {u"the file cannot be read: %1"_s.arg(why.isEmpty() ? u"its contents are damaged"_s : why), path,
