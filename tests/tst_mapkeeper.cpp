@@ -169,6 +169,34 @@ private Q_SLOTS:
                  qPrintable(QStringLiteral("%1 against %2").arg(length).arg(unwrapped.seamLength)));
     }
 
+    //! A solve that finds nothing better leaves the document's map as it is, to the last bit.
+    void aGoodMapStaysUntilItIsBeaten_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"sphere", "torus", "machine"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void aGoodMapStaysUntilItIsBeaten()
+    {
+        QFETCH(QString, name);
+        Bench bench(test::meshNamed(name));
+        UvMatrix before = unwrapMesh(bench.snapshot, {}).uv;
+        bench.startFrom(before);
+        QVERIFY(bench.hasMap());
+        QVERIFY(bench.waitFor([&] { return bench.rests || bench.maps.size() > 20; }));
+        QCOMPARE(bench.problems(), QString());
+        const metrics::UvMetrics was = metrics::measureUv(*bench.snapshot.mesh, before);
+        for (const MapPtr &map : bench.maps)
+            QVERIFY2(map->uv == before || map->seamLength < was.seamNorm ||
+                         map->distortion < was.symDirichlet,
+                     qPrintable(QStringLiteral("seams %1 to %2, D %3 to %4")
+                                    .arg(was.seamNorm)
+                                    .arg(map->seamLength)
+                                    .arg(was.symDirichlet)
+                                    .arg(map->distortion)));
+        QCOMPARE(bench.maps.front()->uv, before);
+    }
+
     void cutsAndJoinsAreObeyed()
     {
         Bench bench(test::sphere(24, 32));

@@ -25,6 +25,7 @@ void BestLiveMap::reset()
 {
     mPlacing.reset();
     mBest.reset();
+    mStanding.reset();
     mGiven = nullptr;
     forgetWaiting();
 }
@@ -110,6 +111,17 @@ SeamedMap BestLiveMap::alike(SeamedMap map, const JobContext &job)
                   : map;
 }
 
+//! True when the document's map, if it may stay, is worse than this one.
+bool BestLiveMap::isBeaten(const SeamedMap &map) const
+{
+    if (!mStanding)
+        return true;
+    Candidate candidate;
+    candidate.map = map;
+    candidate.measure(*mProblem.soup(), mProblem.problem());
+    return beats(std::move(candidate), *mStanding, mOptions.maxDistortion);
+}
+
 //! Gives the map out, unless it is not better or overlaps itself after all.
 void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContext &job,
                        straight::StraightEffort straightness)
@@ -140,13 +152,19 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     if (definite::coversItself(soup, map))
         return;
     auto result = std::make_shared<LiveMapResult>();
+    if (isBeaten(map)) {
+        mStanding.reset();
+        result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh, mOptions.dragged,
+                                    mProblem.plan().rotation(PackRotation::Free));
+    } else {
+        map = mStanding->map;
+        result->uv = *whole.uv;
+    }
     result->distortion = map.distortion(soup);
     result->withinBound = result->distortion <= mOptions.maxDistortion;
     result->token = mToken;
     result->hardShare = mProblem.hardShare();
     result->cut = part.wholeCut(map.cut);
-    result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh, mOptions.dragged,
-                                mProblem.plan().rotation(PackRotation::Free));
     result->hasRoom = mPlacing.hadRoom();
     result->mirroredArea = mProblem.mirroredArea();
     result->unmet = unmetSteering(whole, result->uv);

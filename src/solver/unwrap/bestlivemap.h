@@ -8,6 +8,7 @@
 #include "solver/unwrap/liveplacing.h"
 #include "solver/unwrap/liveproblem.h"
 #include "solver/unwrap/rectanglefit.h"
+#include "solver/unwrap/standingmap.h"
 #include "solver/unwrap/unmetsteering.h"
 
 #include <chrono>
@@ -65,6 +66,13 @@ public:
     void setPacksAfresh(bool on) { mPacksAfresh = on; }
     //! Forgets maps that were offered and not given out yet.
     void forgetWaiting();
+    //! The document's map stays as long as no map beats it. \param map see standingMap(); nothing: any map is
+    //! better
+    void setStanding(std::optional<Candidate> map)
+    {
+        const std::lock_guard lock(mMutex);
+        mStanding = std::move(map);
+    }
     //! Whatever map comes next counts as better than the one before.
     void forgetBest() { mBest.reset(); }
     //! The next map is placed in relation to this one. \param uv per corner of the part, texture space
@@ -102,6 +110,7 @@ private:
     Merit meritOf(const search::CutState &state) const;
     SeamedMap settled(const search::CutState &state, const JobContext &job) const;
     SeamedMap alike(SeamedMap map, const JobContext &job);
+    bool isBeaten(const SeamedMap &map) const;
     void give(search::CutState state, FitEffort effort, const JobContext &job,
               straight::StraightEffort straightness = straight::StraightEffort::Turn);
 
@@ -115,6 +124,7 @@ private:
     LivePlacing mPlacing;
     std::optional<search::CutState> mBest;
     Merit mBestMerit;
+    std::optional<Candidate> mStanding;
     std::optional<AlikeParts> mAlike; //!< of the problem, once it is known
     bool mAlikeIsKnown = false;
     std::shared_ptr<const LiveMapResult> mGiven;

@@ -1,24 +1,22 @@
 #include "solver/unwrap/finishjob.h"
 
 #include "model/plain/uvlayout.h"
-#include "model/plain/uvseams.h"
 #include "solver/base/timelimit.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/refinedmap.h"
-#include "solver/definite/relaxing.h"
 #include "solver/definite/seamopening.h"
 #include "solver/homotopy/liveschedule.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/preference/seampreference.h"
 #include "solver/straight/straightening.h"
-#include "solver/unwrap/candidates.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/keptplaces.h"
 #include "solver/unwrap/keptscale.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/oldplaces.h"
 #include "solver/unwrap/rectanglefit.h"
+#include "solver/unwrap/standingmap.h"
 
 #include <algorithm>
 #include <chrono>
@@ -34,8 +32,6 @@ constexpr double touchingDelta = 1e-9;
 constexpr double usualSteps = 1000;
 //! Time for straightening after a stop. Chosen by hand.
 constexpr auto timeAfterStop = std::chrono::milliseconds(100);
-//! Share of the stretch of rigid regions below which it counts as the same. Chosen by hand.
-constexpr double sameFlatness = 0.01;
 constexpr double sameSize = 1e-6; // maps of sizes that differ by this share are equally large
 
 void load(const FinishInput &input, const FreePart &part, int threads, homotopy::Solver &solver)
@@ -117,71 +113,28 @@ void place(const FinishInput &input, const FreePart &part, NewCharts map, const 
     }
 }
 
-//! What a map of the whole mesh is worth, with each island at its own scale; nothing when it is not valid.
-std::optional<Candidate> candidateOf(const FreePart &part, const std::shared_ptr<const Soup> &soup,
-                                     const Snapshot &problem, const UvMatrix &whole)
-{
-    const CutFlags none(soup->mesh->edgePairs.size(), false);
-    std::optional<SeamedMap> map = seamedMapOf(*soup, part.partUv(whole) / problem.uvScale, none);
-    if (!map || definite::coversItself(*soup, *map))
-        return std::nullopt;
-    definite::equalizeDensity(*soup, problem, *map);
-    Candidate candidate;
-    candidate.map = std::move(*map);
-    candidate.measure(*soup, problem);
-    return candidate;
-}
-
-//! Edges are closed that the user wants cut.
-bool hasClosedCuts(const Snapshot &own)
-{
-    const std::vector<PairState> &states = own.steering->pairState;
-    if (states.empty())
-        return false;
-    const std::vector<bool> open = openCornerPairs(*own.mesh, *own.uv);
-    for (std::size_t p = 0; p < states.size(); p += 2) {
-        const bool isCut = states[p] == PairState::Cut || states[p + 1] == PairState::Cut;
-        if (isCut && !open[p] && !open[p + 1])
-            return true;
-    }
-    return false;
-}
-
-//! True when the search would prefer the map before, which is valid, well placed and obeys as much. A map of
-//! islands before and after, which the room in a full tile can ask for, may be worse than either.
-bool isWorse(const FinishInput &input, const FreePart &part, const std::shared_ptr<const Soup> &soup,
-             const Snapshot &own, const FinishResult &made, const JobContext &job)
+//! True when the map before may stay and is not beaten. A map of islands before and after, which the room in
+//! a full tile can ask for, may be worse than either.
+bool gainsNothing(const FinishInput &input, const FreePart &part, const std::shared_ptr<const Soup> &soup,
+                  const Snapshot &own, const FinishResult &made, const JobContext &job)
 {
     const Snapshot &snapshot = input.snapshot;
-    const MeshData &mesh = *snapshot.mesh;
-    const PackJob pack = steeredPackJob(snapshot, input.packing);
-    if (hasClosedCuts(own) || unmetSteering(snapshot, *snapshot.uv).count() > made.unmet.count())
-        return false;
-    const std::vector<bool> misplaced =
-        misplacedFaces(mesh, findCharts(mesh, *snapshot.uv), pack, *snapshot.uv);
-    if (std::ranges::find(misplaced, true) != misplaced.end())
+    if (unmetSteering(snapshot, *snapshot.uv).count() > made.unmet.count())
         return false;
     const Snapshot problem = preference::SeamPreference().applied(own, job.threads());
-    std::optional<Candidate> before = candidateOf(part, soup, problem, *snapshot.uv),
-                             after = candidateOf(part, soup, problem, made.uv);
-    if (!before || !after)
+    const std::optional<Candidate> before = standingMap(snapshot, part, soup, problem, input.packing);
+    if (!before)
         return false;
-    // Rigid regions that are as flat in both do not decide.
-    if (before->bounded - after->bounded <= sameFlatness * (after->bounded - 4)) {
-        before->bounded = before->distortion;
-        after->bounded = after->distortion;
-    }
-    UnwrapOptions options;
-    options.maxDistortion = input.maxDistortion;
-    return Ranking(options, job).better(*before, *after);
+    const std::optional<Candidate> after = worthOf(part, soup, problem, made.uv);
+    return after && !beats(*after, *before, input.maxDistortion);
 }
 
-//! Takes the map before back when it obeys more joins, or is better and obeys as much.
-void keepBetterMap(const FinishInput &input, bool isBetter, FinishResult &result)
+//! Takes the map before back when it obeys more joins, or nothing was gained.
+void keepBetterMap(const FinishInput &input, bool nothingGained, FinishResult &result)
 {
     const Snapshot &snapshot = input.snapshot;
     UnmetSteering before = unmetSteering(snapshot, *snapshot.uv);
-    if (!isBetter && before.joins.size() >= result.unmet.joins.size())
+    if (!nothingGained && before.joins.size() >= result.unmet.joins.size())
         return;
     metrics::UvMetricsOptions options;
     options.overlaps = options.gutter = false;
@@ -194,7 +147,7 @@ void keepBetterMap(const FinishInput &input, bool isBetter, FinishResult &result
     result.unmet = std::move(before);
     result.noRoom = result.madeSmaller = false;
     result.notReplaced = 0;
-    result.nothingGained = isBetter;
+    result.nothingGained = nothingGained;
 }
 
 //! The map before, steered and improved; nothing when it cannot be steered.
@@ -295,10 +248,8 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     }
     place(input, *part, std::move(map), job, result);
     result.unmet = unmetSteering(input.snapshot, result.uv);
-    if (!input.live) {
-        const bool mayStay = plan.isEmpty() && !input.snapshot.settings.symmetry;
-        keepBetterMap(input, mayStay && isWorse(input, *part, soup, own, result, job.unstoppable()), result);
-    }
+    if (!input.live)
+        keepBetterMap(input, gainsNothing(input, *part, soup, own, result, job.unstoppable()), result);
     const std::vector<PairState> &states = input.snapshot.steering->pairState;
     const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
     result.heldTogether = joins && !result.noRoom &&

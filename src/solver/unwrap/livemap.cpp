@@ -81,6 +81,7 @@ void LiveMap::steer(std::shared_ptr<const Snapshot> snapshot, const LiveMapOptio
     if (!mSnapshot)
         return;
     mSnapshot = std::move(snapshot);
+    mBest.setStanding(std::nullopt);
     takeOver(options);
     mPulled = pulled;
     if (back)
@@ -173,6 +174,9 @@ void LiveMap::findFirst(const JobContext &job)
             mStage = Stage::Done;
         return;
     }
+    if (mFromMap && mSnapshot->uv && unmetSteering(*mSnapshot, *mSnapshot->uv).empty())
+        mBest.setStanding(
+            standingMap(*mSnapshot, mProblem.part(), mProblem.soup(), mProblem.problem(), mOptions.packing));
     if (mFromMap && mProblem.problem().uv && startFromMap(*mProblem.problem().uv, job)) {
         mExplored = true; // its seams are what the user has
         mStage = Stage::Improve;

@@ -1,0 +1,80 @@
+#include "solver/unwrap/standingmap.h"
+
+#include "model/plain/uvseams.h"
+#include "solver/definite/relaxing.h"
+#include "solver/straight/straightening.h"
+#include "solver/unwrap/packjob.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts::unwrap {
+
+namespace {
+
+//! Share of the stretch of rigid regions below which it counts as the same, and the gain in distortion that
+//! counts. Chosen by hand.
+constexpr double sameFlatness = 0.01, leastGain = 1e-3;
+
+bool hasClosedCuts(const Snapshot &part)
+{
+    const std::vector<PairState> &states = part.steering->pairState;
+    if (states.empty())
+        return false;
+    const std::vector<bool> open = openCornerPairs(*part.mesh, *part.uv);
+    for (std::size_t p = 0; p < states.size(); p += 2) {
+        const bool isCut = states[p] == PairState::Cut || states[p + 1] == PairState::Cut;
+        if (isCut && !open[p] && !open[p + 1])
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+std::optional<Candidate> worthOf(const FreePart &part, const std::shared_ptr<const Soup> &soup,
+                                 const Snapshot &problem, const UvMatrix &uv)
+{
+    const CutFlags none(soup->mesh->edgePairs.size(), false);
+    std::optional<SeamedMap> map = seamedMapOf(*soup, part.partUv(uv) / problem.uvScale, none);
+    if (!map || definite::coversItself(*soup, *map))
+        return std::nullopt;
+    definite::equalizeDensity(*soup, problem, *map);
+    Candidate candidate;
+    candidate.map = std::move(*map);
+    candidate.measure(*soup, problem);
+    return candidate;
+}
+
+std::optional<Candidate> standingMap(const Snapshot &snapshot, const FreePart &part,
+                                     const std::shared_ptr<const Soup> &soup, const Snapshot &problem,
+                                     const packing::PackOptions &packing)
+{
+    const MeshData &mesh = *snapshot.mesh;
+    if (!snapshot.uv || snapshot.settings.symmetry || !snapshot.steering->rectangles.empty() ||
+        !straight::StraightPlan::of(part.snapshot()).isEmpty() || hasClosedCuts(part.snapshot()))
+        return std::nullopt;
+    const std::vector<bool> misplaced =
+        misplacedFaces(mesh, findCharts(mesh, *snapshot.uv), steeredPackJob(snapshot, packing), *snapshot.uv);
+    if (std::ranges::find(misplaced, true) != misplaced.end())
+        return std::nullopt;
+    return worthOf(part, soup, problem, *snapshot.uv);
+}
+
+bool beats(Candidate map, Candidate standing, double maxDistortion)
+{
+    // Rigid regions that are as flat in both do not decide.
+    if (std::abs(map.bounded - standing.bounded) <= sameFlatness * (standing.bounded - 4)) {
+        map.bounded = map.distortion;
+        standing.bounded = standing.distortion;
+    }
+    UnwrapOptions options;
+    options.maxDistortion = maxDistortion;
+    const JobContext job;
+    const Ranking ranking(options, job);
+    if (ranking.better(map, standing))
+        return true;
+    return !ranking.better(standing, map) && map.distortion < standing.distortion - leastGain;
+}
+
+} // namespace autocuts::unwrap

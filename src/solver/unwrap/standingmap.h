@@ -1,0 +1,27 @@
+// The map before a job, as what the job has to beat: a good map never gets worse.
+#pragma once
+
+#include "solver/packing/packing.h"
+#include "solver/unwrap/candidates.h"
+#include "solver/unwrap/freepart.h"
+
+namespace autocuts::unwrap {
+
+//! What a map is worth, with each island at its own scale; nothing when it is not valid.
+//! \param problem of the part, with the seam preferences in its weights
+//! \param uv per corner of the whole mesh, texture space
+[[nodiscard]] std::optional<Candidate> worthOf(const FreePart &part, const std::shared_ptr<const Soup> &soup,
+                                               const Snapshot &problem, const UvMatrix &uv);
+
+//! What the snapshot's map is worth, if it may stay: it is valid, its islands are where they belong, edges
+//! are open that are to be cut, and nothing is asked for that the worth does not measure: straight lines,
+//! symmetry and rectangles. Whether it obeys everything else, unmetSteering() tells.
+[[nodiscard]] std::optional<Candidate> standingMap(const Snapshot &snapshot, const FreePart &part,
+                                                   const std::shared_ptr<const Soup> &soup,
+                                                   const Snapshot &problem,
+                                                   const packing::PackOptions &packing);
+
+//! True when a map is better: it has cheaper seams within the bound, or the same and clearly less distortion.
+[[nodiscard]] bool beats(Candidate map, Candidate standing, double maxDistortion);
+
+} // namespace autocuts::unwrap
