@@ -1,5 +1,6 @@
 #include "model/io/assimpfbx.h"
 
+#include "model/io/assimpbinding.h"
 #include "model/io/assimpmatrix.h"
 
 #include <assimp/scene.h>
@@ -81,16 +82,6 @@ Eigen::Matrix3d turnOf(bool isCamera)
     else // along -y
         turn << 1, 0, 0, 0, 0, -1, 0, 1, 0;
     return turn;
-}
-
-std::set<std::string> boneNames(const aiScene &scene)
-{
-    std::set<std::string> names;
-    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b)
-            names.insert(scene.mMeshes[m]->mBones[b]->mName.C_Str());
-    }
-    return names;
 }
 
 std::vector<FbxNewNode> cameraProperties(const aiCamera &camera)
@@ -179,14 +170,6 @@ std::int64_t addFbxModel(FbxNewObjects &objects, const QString &name, const QByt
     return objects.add("Model", name, kind,
                        {fbxLeaf("Version", std::int32_t(232)), fbxProperties(std::move(properties)),
                         fbxLeaf("Culling", QByteArray("CullingOff"))});
-}
-
-//! True when one of these bones is below a node.
-bool isAboveBone(const aiNode &node, const std::set<std::string> &bones)
-{
-    return std::any_of(node.mChildren, node.mChildren + node.mNumChildren, [&bones](const aiNode *child) {
-        return bones.contains(child->mName.C_Str()) || isAboveBone(*child, bones);
-    });
 }
 
 //! Writes the attribute of a camera, a light, a bone or a node without anything.
@@ -314,11 +297,13 @@ void FbxRig::addSkin(std::int64_t geometry, int node, const std::vector<FbxSkinP
         const Eigen::Matrix4d values = matrix.matrix();
         return fbxLeaf(name, std::vector<double>(values.data(), values.data() + 16));
     };
+    const Eigen::Affine3d &own = mWorld[static_cast<std::size_t>(node)];
+    const Eigen::Affine3d place = bindPlace(scene, *scene.mMeshes[weights.begin()->first], own).value_or(own);
     const std::int64_t skin = mObjects.add(
         "Deformer", {}, "Skin", {fbxLeaf("Version", std::int32_t(101)), fbxLeaf("Link_DeformAcuracy", 50.0)});
     mObjects.connect(skin, geometry);
     for (auto &[bone, cluster] : clusters) {
-        const Eigen::Affine3d bind = mWorld[static_cast<std::size_t>(node)] * cluster.offset.inverse();
+        const Eigen::Affine3d bind = place * cluster.offset.inverse();
         const std::int64_t id = mObjects.add(
             "Deformer", {}, "Cluster",
             {fbxLeaf("Version", std::int32_t(100)), fbxLeaf("Indexes", std::move(cluster.points)),

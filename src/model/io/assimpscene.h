@@ -1,6 +1,7 @@
 // Makes scenes for Assimp's exporters and says what scenes of its importers hold.
 #pragma once
 
+#include "model/io/assimpskeletons.h"
 #include "model/io/assimpsource.h"
 #include "model/io/materiallooks.h"
 #include "model/io/modelunits.h"
@@ -8,6 +9,10 @@
 
 #include <QString>
 
+#include <vector>
+
+struct aiMesh;
+struct aiNode;
 struct aiScene;
 
 namespace autocuts {
@@ -20,6 +25,8 @@ struct ExportOptions
     bool linearColors = false;      //!< those of vertices; otherwise they are sRGB
     bool weighsAll = false;         //!< every vertex of a skinned mesh gets weights
     bool bindsAtParent = false;     //!< skinned meshes lie where they were bound to their bones
+    bool namesAllBones = false;     //!< nodes below bones are bones, with weights or without
+    bool laysOutSkeletons = false;  //!< layOutSkeletons()
     ModelUnits units;               //!< of the new file
     MaterialLooks *looks = nullptr; //!< names the pictures of materials; null: they have none
 };
@@ -44,16 +51,21 @@ public:
     ExportScene &operator=(const ExportScene &) = delete;
 
     const aiScene *get() const { return mScene; }
+    //! How nodes differ from those of the source.
+    const NodeChanges &changes() const { return mChanges; }
 
 private:
     void borrow(const aiScene &from);
     void takeFromSource(const Scene &scene, const AssimpSource &source);
+    void bindMeshes(const aiScene &from, const std::vector<aiNode *> &nodes, bool boundHere);
+    std::vector<aiMesh *> meshesOf(const aiNode &node) const;
     void makePlain(const Scene &scene);
     void makeMaterials(const Scene &scene, const aiScene *from);
 
     aiScene *mScene;
     bool mBorrowed = false; //!< channels of animations, cameras and lights belong to the source
     ExportOptions mOptions;
+    NodeChanges mChanges;
 };
 
 } // namespace autocuts

@@ -75,12 +75,12 @@ QByteArray withUvSetNames(const QByteArray &text, const Scene &scene)
 }
 
 //! What Assimp wrote as Collada, with what it leaves out: the names of the UV sets and an animation.
-QByteArray colladaBytes(const Scene &scene, const aiExportDataBlob &blob)
+QByteArray colladaBytes(const Scene &scene, const ExportScene &exported, const aiExportDataBlob &blob)
 {
     const QByteArray text = withUvSetNames(bytesOf(blob).toByteArray(), scene);
     if (const auto *source = dynamic_cast<const AssimpSource *>(scene.source.get()))
         return QByteArray::fromStdString(
-            withAnimations({text.constData(), std::size_t(text.size())}, *source->scene));
+            withAnimations({text.constData(), std::size_t(text.size())}, *source->scene, exported.changes()));
     return text;
 }
 
@@ -128,8 +128,8 @@ Result<Done> writeWithAssimp(const Scene &scene, const QString &path)
         FileSet files;
         if (Result<Done> added = looks.addFiles(files); !added)
             return added;
-        const QByteArray bytes =
-            suffix == QLatin1String("dae") ? colladaBytes(scene, *blob) : bytesOf(*blob).toByteArray();
+        const QByteArray bytes = suffix == QLatin1String("dae") ? colladaBytes(scene, *exported, *blob)
+                                                                : bytesOf(*blob).toByteArray();
         if (Result<Done> added = files.add(path, bytes); !added)
             return added;
         return files.putInPlace();
