@@ -203,6 +203,7 @@ ExportOptions exportOptions(const QString &format)
     // Assimp cannot read back its own Collada files with animations: withAnimations() writes them.
     options.animations = format != QLatin1String("dae");
     options.bindsAtParent = format == QLatin1String("dae");
+    options.joinsMaterials = format == QLatin1String("dae");
     options.laysOutSkeletons = format == QLatin1String("dae");
     options.namesAllBones = options.laysOutSkeletons || isGltfFormat(format);
     options.weighsAll = isGltfFormat(format);
@@ -309,6 +310,8 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
         if (mOptions.weighsAll)
             weighAll(*mScene, *nodes[n], own);
     }
+    if (mOptions.joinsMaterials)
+        mParts = joinMeshes(*mScene);
     bindMeshes(from, nodes, scene.format == QLatin1String("fbx"));
 }
 
@@ -392,6 +395,8 @@ void ExportScene::makePlain(const Scene &scene)
         setMeshes(*node, list);
         root->mChildren[root->mNumChildren++] = node;
     }
+    if (mOptions.joinsMaterials)
+        mParts = joinMeshes(*mScene);
 }
 
 ExportScene::~ExportScene()
