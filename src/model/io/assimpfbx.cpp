@@ -216,6 +216,13 @@ void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int,
                                                     : isBone       ? std::optional(above.world)
                                                                    : std::nullopt;
     mArmature.push_back(armature.value_or(Eigen::Affine3d::Identity()));
+    // Where a bound mesh is now says nothing, and programs take that for where it was bound.
+    const aiMesh *first = node.mNumMeshes > 0 ? scene.mMeshes[node.mMeshes[0]] : nullptr;
+    const std::optional<Eigen::Affine3d> bound =
+        first && (isApart || node.mNumChildren == 0) ? bindPlace(scene, *first, mWorld.back()) : std::nullopt;
+    mMeshWorld.push_back(bound.value_or(mWorld.back()));
+    if (isMesh && bound)
+        local = above.world.inverse() * mMeshWorld.back();
     std::int64_t id = above.model;
     // A root without anything is the scene itself.
     if (!isRoot || object != names.end() || !local.matrix().isIdentity(0)) {
@@ -243,7 +250,8 @@ void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int,
     mMeshModels.push_back(id);
     if (isApart) {
         mMeshModels.back() =
-            addFbxModel(mObjects, freeName(object->second), "Mesh", Eigen::Affine3d::Identity());
+            addFbxModel(mObjects, freeName(object->second), "Mesh",
+                        mWorld[mMeshModels.size() - 1].inverse() * mMeshWorld[mMeshModels.size() - 1]);
         mObjects.connect(mMeshModels.back(), id);
     }
     const Above below{id, mWorld.back(), armature};
@@ -297,13 +305,11 @@ void FbxRig::addSkin(std::int64_t geometry, int node, const std::vector<FbxSkinP
         const Eigen::Matrix4d values = matrix.matrix();
         return fbxLeaf(name, std::vector<double>(values.data(), values.data() + 16));
     };
-    const Eigen::Affine3d &own = mWorld[static_cast<std::size_t>(node)];
-    const Eigen::Affine3d place = bindPlace(scene, *scene.mMeshes[weights.begin()->first], own).value_or(own);
     const std::int64_t skin = mObjects.add(
         "Deformer", {}, "Skin", {fbxLeaf("Version", std::int32_t(101)), fbxLeaf("Link_DeformAcuracy", 50.0)});
     mObjects.connect(skin, geometry);
     for (auto &[bone, cluster] : clusters) {
-        const Eigen::Affine3d bind = place * cluster.offset.inverse();
+        const Eigen::Affine3d bind = mMeshWorld[static_cast<std::size_t>(node)] * cluster.offset.inverse();
         const std::int64_t id = mObjects.add(
             "Deformer", {}, "Cluster",
             {fbxLeaf("Version", std::int32_t(100)), fbxLeaf("Indexes", std::move(cluster.points)),
