@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <map>
 #include <random>
 
 using namespace autocuts;
@@ -206,6 +207,7 @@ private Q_SLOTS:
     void mirroredAndInstanced();
     void otherTextIsLeftToAssimp_data();
     void otherTextIsLeftToAssimp();
+    void materialsOfOneObject();
     void noMeshesAreAnError();
     void mutations();
     void realFiles();
@@ -323,6 +325,44 @@ void TestCollada::otherTextIsLeftToAssimp()
 }
 
 //! Assimp would make up a mesh of the nodes.
+//! An object with several materials is one object in new files.
+void TestCollada::materialsOfOneObject()
+{
+    const QTemporaryDir folder;
+    const QString obj = folder.filePath(u"m.obj"_s), dae = folder.filePath(u"m.dae"_s);
+    QVERIFY(saveAtomically(obj,
+                           "o box\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 3 0 0\n"
+                           "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                           "usemtl a\nf 1/1 2/2 3/3 4/4\nusemtl b\nf 2/1 5/2 6/3\nusemtl a\nf 2/4 6/3 3/1\n"
+                           "usemtl c\nf 5/2 7/1 6/4\n")
+                .ok());
+    const Scene before = readMesh(obj).value();
+    QVERIFY(writeMesh(before, dae).ok());
+    const QByteArray text = loadFile(dae, 1 << 20).value();
+    QCOMPARE(text.count("<geometry "), 1);
+    QCOMPARE(text.count("<polylist "), 3);
+    QCOMPARE(text.count("<instance_geometry "), 1);
+    QCOMPARE(text.count("<instance_material "), 3);
+    const Scene after = readMesh(dae).value();
+    QCOMPARE(after.objectNames, before.objectNames);
+    QCOMPARE(after.mesh->faceCount(), before.mesh->faceCount());
+    const auto looks = [](const Scene &scene) {
+        std::map<QString, std::vector<double>> sums; // by material: corners, sums of places and UVs
+        for (int f = 0; f < scene.mesh->faceCount(); ++f) {
+            auto &sum = sums[scene.materialNames[static_cast<std::size_t>(scene.faceMaterial[f])]];
+            sum.resize(4);
+            for (int c = scene.mesh->faceStart[f]; c < scene.mesh->faceStart[f + 1]; ++c) {
+                sum[0] += 1;
+                sum[1] += scene.mesh->positions(scene.mesh->cornerVertex[c], 0);
+                sum[2] += scene.uvSets[0].uv(c, 0);
+                sum[3] += scene.uvSets[0].uv(c, 1);
+            }
+        }
+        return sums;
+    };
+    QCOMPARE(looks(after), looks(before));
+}
+
 void TestCollada::noMeshesAreAnError()
 {
     const QByteArray lights = R"(<?xml version="1.0" encoding="utf-8"?>

@@ -1912,10 +1912,6 @@
         <translation>entfernte UV-Sätze bleiben in der Datei: ihre Materialien nennen UV-Sätze mit Nummern</translation>
     </message>
     <message>
-        <source>the pose that the model is in becomes its rest pose</source>
-        <translation>die Pose, in der das Modell ist, wird seine Ruhepose</translation>
-    </message>
-    <message>
         <source>UV sets after the eighth are lost</source>
         <translation>UV-Sätze nach dem achten gehen verloren</translation>
     </message>
@@ -2022,6 +2018,10 @@
     <message>
         <source>Only the first animation is written to Collada</source>
         <translation>Collada enthält eine Animation: nur die erste wird geschrieben</translation>
+    </message>
+    <message>
+        <source>some programs show a Collada model without animations in its rest pose</source>
+        <translation>manche Programme zeigen ein Collada-Modell ohne Animationen in seiner Ruhepose</translation>
     </message>
 </context>
 <context>

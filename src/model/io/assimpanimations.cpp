@@ -64,7 +64,9 @@ auto valueAt(const Key *keys, unsigned count, double time, const Convert &conver
 class Motion
 {
 public:
-    Motion(const aiNodeAnim &channel, const aiNode &node) : mChannel(channel)
+    //! \param above what is done after the motion
+    Motion(const aiNodeAnim &channel, const aiNode &node, const Eigen::Matrix4d &above)
+        : mChannel(channel), mAbove(above)
     {
         node.mTransformation.Decompose(mScaling, mTurn, mPlace);
     }
@@ -82,7 +84,7 @@ public:
             mChannel.mNumScalingKeys == 0
                 ? toVector(mScaling)
                 : valueAt(mChannel.mScalingKeys, mChannel.mNumScalingKeys, time, toVector, line);
-        return Eigen::Translation3d(place) * turnAt(time) * Eigen::Scaling(scaling);
+        return mAbove * Eigen::Affine3d(Eigen::Translation3d(place) * turnAt(time) * Eigen::Scaling(scaling));
     }
 
     //! In ticks.
@@ -120,6 +122,7 @@ private:
     }
 
     const aiNodeAnim &mChannel;
+    Eigen::Affine3d mAbove;
     aiVector3D mScaling, mPlace;
     aiQuaternion mTurn;
 };
@@ -171,13 +174,14 @@ std::string animated(const Motion &motion, double perSecond, const std::string &
 
 bool isSkinned(const aiScene &scene, const aiNode &node)
 {
-    return std::any_of(node.mMeshes, node.mMeshes + node.mNumMeshes,
+    return node.mNumChildren == 0 &&
+           std::any_of(node.mMeshes, node.mMeshes + node.mNumMeshes,
                        [&scene](unsigned mesh) { return scene.mMeshes[mesh]->mNumBones > 0; });
 }
 
 } // namespace
 
-std::string withAnimations(std::string_view text, const aiScene &scene)
+std::string withAnimations(std::string_view text, const aiScene &scene, const NodeChanges &changes)
 {
     const std::optional<XmlElement> root = scene.mNumAnimations > 0 ? xmlSpans(text) : std::nullopt;
     const XmlElement *scenes = root ? root->child("library_visual_scenes") : nullptr;
@@ -191,8 +195,11 @@ std::string withAnimations(std::string_view text, const aiScene &scene)
         const aiNodeAnim &channel = *animation.mChannels[c];
         const aiNode *node = scene.mRootNode->FindNode(channel.mNodeName);
         const auto target = targets.find(channel.mNodeName.C_Str());
-        const Motion motion(channel, node ? *node : *scene.mRootNode);
-        if (node && target != targets.end() && !isSkinned(scene, *node) && !motion.times().empty())
+        const auto before = changes.before.find(channel.mNodeName.C_Str());
+        const Motion motion(channel, node ? *node : *scene.mRootNode,
+                            before == changes.before.end() ? Eigen::Matrix4d::Identity() : before->second);
+        if (node && target != targets.end() && !isSkinned(scene, *node) && !motion.times().empty() &&
+            !changes.still.contains(channel.mNodeName.C_Str()))
             channels += animated(motion, perSecond, target->second, "motion" + std::to_string(c));
     }
     if (channels.empty())

@@ -2,6 +2,8 @@
 // cannot read.
 #pragma once
 
+#include "model/io/assimpskeletons.h"
+
 #include <string>
 #include <string_view>
 
@@ -12,6 +14,7 @@ namespace autocuts {
 //! The text of a Collada file with the first animation of a scene: a matrix for each key of a node, and more
 //! where it turns far between two. Nodes are found by their names; those of skinned meshes, which bones
 //! place, are left out. \param text as Assimp writes it
-std::string withAnimations(std::string_view text, const aiScene &scene);
+//! \param changes of the nodes of the text against those of the scene
+std::string withAnimations(std::string_view text, const aiScene &scene, const NodeChanges &changes);
 
 } // namespace autocuts

@@ -1,5 +1,6 @@
 #include "model/io/assimpfbx.h"
 
+#include "model/io/assimpbinding.h"
 #include "model/io/assimpmatrix.h"
 
 #include <assimp/scene.h>
@@ -81,16 +82,6 @@ Eigen::Matrix3d turnOf(bool isCamera)
     else // along -y
         turn << 1, 0, 0, 0, 0, -1, 0, 1, 0;
     return turn;
-}
-
-std::set<std::string> boneNames(const aiScene &scene)
-{
-    std::set<std::string> names;
-    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b)
-            names.insert(scene.mMeshes[m]->mBones[b]->mName.C_Str());
-    }
-    return names;
 }
 
 std::vector<FbxNewNode> cameraProperties(const aiCamera &camera)
@@ -181,14 +172,6 @@ std::int64_t addFbxModel(FbxNewObjects &objects, const QString &name, const QByt
                         fbxLeaf("Culling", QByteArray("CullingOff"))});
 }
 
-//! True when one of these bones is below a node.
-bool isAboveBone(const aiNode &node, const std::set<std::string> &bones)
-{
-    return std::any_of(node.mChildren, node.mChildren + node.mNumChildren, [&bones](const aiNode *child) {
-        return bones.contains(child->mName.C_Str()) || isAboveBone(*child, bones);
-    });
-}
-
 //! Writes the attribute of a camera, a light, a bone or a node without anything.
 void FbxRig::addView(const aiNode &node, std::int64_t model)
 {
@@ -233,6 +216,13 @@ void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int,
                                                     : isBone       ? std::optional(above.world)
                                                                    : std::nullopt;
     mArmature.push_back(armature.value_or(Eigen::Affine3d::Identity()));
+    // Where a bound mesh is now says nothing, and programs take that for where it was bound.
+    const aiMesh *first = node.mNumMeshes > 0 ? scene.mMeshes[node.mMeshes[0]] : nullptr;
+    const std::optional<Eigen::Affine3d> bound =
+        first && (isApart || node.mNumChildren == 0) ? bindPlace(scene, *first, mWorld.back()) : std::nullopt;
+    mMeshWorld.push_back(bound.value_or(mWorld.back()));
+    if (isMesh && bound)
+        local = above.world.inverse() * mMeshWorld.back();
     std::int64_t id = above.model;
     // A root without anything is the scene itself.
     if (!isRoot || object != names.end() || !local.matrix().isIdentity(0)) {
@@ -260,7 +250,8 @@ void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int,
     mMeshModels.push_back(id);
     if (isApart) {
         mMeshModels.back() =
-            addFbxModel(mObjects, freeName(object->second), "Mesh", Eigen::Affine3d::Identity());
+            addFbxModel(mObjects, freeName(object->second), "Mesh",
+                        mWorld[mMeshModels.size() - 1].inverse() * mMeshWorld[mMeshModels.size() - 1]);
         mObjects.connect(mMeshModels.back(), id);
     }
     const Above below{id, mWorld.back(), armature};
@@ -318,7 +309,7 @@ void FbxRig::addSkin(std::int64_t geometry, int node, const std::vector<FbxSkinP
         "Deformer", {}, "Skin", {fbxLeaf("Version", std::int32_t(101)), fbxLeaf("Link_DeformAcuracy", 50.0)});
     mObjects.connect(skin, geometry);
     for (auto &[bone, cluster] : clusters) {
-        const Eigen::Affine3d bind = mWorld[static_cast<std::size_t>(node)] * cluster.offset.inverse();
+        const Eigen::Affine3d bind = mMeshWorld[static_cast<std::size_t>(node)] * cluster.offset.inverse();
         const std::int64_t id = mObjects.add(
             "Deformer", {}, "Cluster",
             {fbxLeaf("Version", std::int32_t(100)), fbxLeaf("Indexes", std::move(cluster.points)),

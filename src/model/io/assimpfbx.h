@@ -76,9 +76,10 @@ private:
     std::vector<std::int64_t> mModels;     //!< of nodes
     std::vector<std::int64_t> mMeshModels; //!< of nodes, for their meshes
     std::vector<Eigen::Affine3d> mWorld;
-    std::vector<Eigen::Affine3d> mArmature;       //!< of bones
-    FreeNames mTaken;                             //!< names of models
-    std::set<std::string> mBones;                 //!< names of nodes
+    std::vector<Eigen::Affine3d> mMeshWorld; //!< of nodes: where their meshes are, bound ones as they were
+    std::vector<Eigen::Affine3d> mArmature;  //!< of bones
+    FreeNames mTaken;                        //!< names of models
+    std::set<std::string> mBones;            //!< names of nodes
     std::map<std::string, std::size_t> mNumberOf; //!< of the first node of each name
     std::map<std::string, Eigen::Matrix3d>
         mTurns; //!< of cameras and lights: from Assimp's axes to those of FBX

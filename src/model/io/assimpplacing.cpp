@@ -1,5 +1,6 @@
 #include "model/io/assimpplacing.h"
 
+#include "model/io/assimpbinding.h"
 #include "model/io/assimpmatrix.h"
 
 #include <Eigen/Geometry>
@@ -8,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 namespace autocuts {
 
@@ -89,6 +92,26 @@ void turnNode(aiScene &scene, aiString &name, aiVector3D &position, const Eigen:
     position = {};
 }
 
+//! Puts the bones among the children of a root below a new node, which takes their place: programs show a
+//! skeleton in the size that its bones have without the scale of their own.
+void gatherBones(const aiScene &scene, aiNode &root)
+{
+    const std::set<std::string> bones = boneNames(scene);
+    aiNode **const end = root.mChildren + root.mNumChildren;
+    aiNode **const first = std::stable_partition(
+        root.mChildren, end, [&bones](const aiNode *child) { return !bones.contains(child->mName.C_Str()); });
+    if (first == end)
+        return;
+    std::string name = "Armature";
+    for (int number = 2; scene.mRootNode->FindNode(name.c_str()); ++number)
+        name = "Armature_" + std::to_string(number);
+    auto *armature = new aiNode(name);
+    armature->addChildren(static_cast<unsigned>(end - first), first);
+    armature->mParent = &root;
+    *first = armature;
+    root.mNumChildren = static_cast<unsigned>(first - root.mChildren) + 1;
+}
+
 } // namespace
 
 void placeScene(aiScene &scene, const Eigen::Matrix4d &placement)
@@ -100,13 +123,15 @@ void placeScene(aiScene &scene, const Eigen::Matrix4d &placement)
                        !isAnimated(scene, root) && placement.topLeftCorner<3, 3>().determinant() > 0;
     if (!plain)
         placeNode(scene, root, matrix);
+    const double scale = std::cbrt(std::abs(placement.topLeftCorner<3, 3>().determinant()));
+    if (plain && std::abs(scale - 1) > 1e-6)
+        gatherBones(scene, root);
     for (unsigned c = 0; plain && c < root.mNumChildren; ++c)
         placeNode(scene, *root.mChildren[c], matrix);
-    const auto scale = static_cast<float>(std::cbrt(std::abs(placement.topLeftCorner<3, 3>().determinant())));
     for (unsigned c = 0; c < scene.mNumCameras; ++c) {
         aiCamera &camera = *scene.mCameras[c];
         for (float *length : {&camera.mClipPlaneNear, &camera.mClipPlaneFar, &camera.mOrthographicWidth})
-            *length *= scale;
+            *length *= static_cast<float>(scale);
     }
 }
 

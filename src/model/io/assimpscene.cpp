@@ -1,5 +1,6 @@
 #include "model/io/assimpscene.h"
 
+#include "model/io/assimpbinding.h"
 #include "model/io/assimpmatrix.h"
 #include "model/io/assimpmesh.h"
 #include "model/io/gltf/gltfsource.h"
@@ -8,18 +9,12 @@
 
 #include <QUrl>
 
-#include <Eigen/Geometry>
-
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -160,134 +155,6 @@ void nameNodes(const Scene &scene, const AssimpSource &source, const std::vector
     }
 }
 
-Eigen::Affine3d worldOf(const aiNode &node)
-{
-    Eigen::Affine3d world(toEigen(node.mTransformation));
-    for (const aiNode *above = node.mParent; above; above = above->mParent)
-        world = Eigen::Affine3d(toEigen(above->mTransformation)) * world;
-    return world;
-}
-
-//! The node of the bone that is nearest to the root; null without bones.
-aiNode *topBone(const aiScene &scene, const aiMesh &mesh)
-{
-    aiNode *top = nullptr;
-    int depth = std::numeric_limits<int>::max();
-    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-        aiNode *node = scene.mRootNode->FindNode(mesh.mBones[b]->mName);
-        int own = 0;
-        for (const aiNode *above = node; above; above = above->mParent)
-            ++own;
-        if (node && own < depth) {
-            depth = own;
-            top = node;
-        }
-    }
-    return top;
-}
-
-//! Where a mesh was in the world when its bones were where they are now; nothing without bones.
-std::optional<Eigen::Affine3d> bindPlace(const aiScene &scene, const aiMesh &mesh)
-{
-    const aiNode *top = topBone(scene, mesh); // the bones below may be posed
-    for (unsigned b = 0; top && b < mesh.mNumBones; ++b) {
-        if (mesh.mBones[b]->mName != top->mName)
-            continue;
-        const Eigen::Affine3d place = worldOf(*top) * Eigen::Affine3d(toEigen(mesh.mBones[b]->mOffsetMatrix));
-        if (std::abs(place.linear().determinant()) > 1e-30)
-            return place;
-    }
-    return std::nullopt;
-}
-
-//! Moves a skinned mesh of a node to where it was bound. What bones make of it stays the same. Collada files
-//! of Assimp have no place for that of the binding, and programs take that of the mesh for it.
-void bindAtParent(const aiScene &scene, aiNode &node, const std::vector<aiMesh *> &meshes)
-{
-    std::optional<Eigen::Affine3d> place = meshes.empty() ? std::nullopt : bindPlace(scene, *meshes.front());
-    const auto isSkinned = [](const aiMesh *mesh) { return mesh->mNumBones > 0; };
-    if (!place || node.mNumChildren > 0 || !std::ranges::all_of(meshes, isSkinned))
-        return;
-    // Programs leave out the place of the node itself, but not those of the nodes above.
-    if (node.mParent)
-        place = worldOf(*node.mParent).inverse() * *place;
-    const aiMatrix4x4 there = toAssimp(place->matrix()), back = toAssimp(place->inverse().matrix());
-    const aiMatrix3x3 turn(
-        toAssimp(Eigen::Affine3d(Eigen::Matrix3d(place->linear().inverse().transpose())).matrix()));
-    for (aiMesh *mesh : meshes) {
-        for (unsigned v = 0; v < mesh->mNumVertices; ++v) {
-            mesh->mVertices[v] = there * mesh->mVertices[v];
-            if (mesh->mNormals)
-                mesh->mNormals[v] = (turn * mesh->mNormals[v]).NormalizeSafe();
-        }
-        for (unsigned b = 0; b < mesh->mNumBones; ++b)
-            mesh->mBones[b]->mOffsetMatrix = mesh->mBones[b]->mOffsetMatrix * back;
-    }
-    node.mTransformation = node.mTransformation * back;
-}
-
-//! The vertices that no bone moves.
-std::vector<unsigned> withoutWeights(const aiMesh &mesh)
-{
-    std::vector<bool> has(mesh.mNumVertices, false);
-    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-        const std::span weights(mesh.mBones[b]->mWeights, mesh.mBones[b]->mNumWeights);
-        for (const aiVertexWeight &weight : weights)
-            has[weight.mVertexId] = has[weight.mVertexId] || weight.mWeight > 0;
-    }
-    std::vector<unsigned> bare;
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-        if (!has[v])
-            bare.push_back(v);
-    }
-    return bare;
-}
-
-void addChild(aiNode &node, aiNode *child)
-{
-    auto **children = new aiNode *[node.mNumChildren + 1];
-    std::copy_n(node.mChildren, node.mNumChildren, children);
-    children[node.mNumChildren++] = child;
-    delete[] node.mChildren;
-    node.mChildren = children;
-    child->mParent = &node;
-}
-
-void addBone(aiMesh &mesh, const aiString &name, const std::vector<unsigned> &vertices)
-{
-    auto *bone = new aiBone;
-    bone->mName = name;
-    bone->mNumWeights = static_cast<unsigned>(vertices.size());
-    bone->mWeights = new aiVertexWeight[vertices.size()];
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        bone->mWeights[i] = aiVertexWeight(vertices[i], 1);
-    auto **bones = new aiBone *[mesh.mNumBones + 1];
-    std::copy_n(mesh.mBones, mesh.mNumBones, bones);
-    bones[mesh.mNumBones++] = bone;
-    delete[] mesh.mBones;
-    mesh.mBones = bones;
-}
-
-//! Gives vertices without weights a bone that lies where the node does and is not moved: glTF files do not
-//! say where such vertices of a skinned mesh are. The bone is beside the topmost one.
-void weighAll(const aiScene &scene, const aiNode &node, const std::vector<aiMesh *> &meshes)
-{
-    aiNode *rest = nullptr;
-    for (aiMesh *mesh : meshes) {
-        const std::vector<unsigned> bare = withoutWeights(*mesh);
-        const aiNode *top = mesh->mNumBones > 0 ? topBone(scene, *mesh) : nullptr;
-        if (bare.empty() || !top || !top->mParent)
-            continue;
-        if (!rest) {
-            rest = new aiNode(std::string(node.mName.C_Str()) + ".rest");
-            rest->mTransformation =
-                toAssimp(Eigen::Matrix4d((worldOf(*top->mParent).inverse() * worldOf(node)).matrix()));
-            addChild(*top->mParent, rest);
-        }
-        addBone(*mesh, rest->mName, bare);
-    }
-}
-
 //! The faces of each pair of object and material; -1 means none.
 std::map<std::pair<int, int>, std::vector<int>> facesByMaterial(const Scene &scene)
 {
@@ -336,6 +203,9 @@ ExportOptions exportOptions(const QString &format)
     // Assimp cannot read back its own Collada files with animations: withAnimations() writes them.
     options.animations = format != QLatin1String("dae");
     options.bindsAtParent = format == QLatin1String("dae");
+    options.joinsMaterials = format == QLatin1String("dae");
+    options.laysOutSkeletons = format == QLatin1String("dae");
+    options.namesAllBones = options.laysOutSkeletons || isGltfFormat(format);
     options.weighsAll = isGltfFormat(format);
     options.linearColors = isGltfFormat(format);
     options.units = unitsOfFormat(format);
@@ -436,14 +306,39 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
         if (nodeMeshes[n].empty())
             continue;
         setMeshes(*nodes[n], nodeMeshes[n]);
-        std::vector<aiMesh *> own;
-        for (const unsigned mesh : nodeMeshes[n])
-            own.push_back(meshes[mesh]);
-        if (mOptions.bindsAtParent)
-            bindAtParent(*mScene, *nodes[n], own);
+        const std::vector<aiMesh *> own = meshesOf(*nodes[n]);
         if (mOptions.weighsAll)
             weighAll(*mScene, *nodes[n], own);
     }
+    if (mOptions.joinsMaterials)
+        mParts = joinMeshes(*mScene);
+    bindMeshes(from, nodes, scene.format == QLatin1String("fbx"));
+}
+
+std::vector<aiMesh *> ExportScene::meshesOf(const aiNode &node) const
+{
+    std::vector<aiMesh *> meshes;
+    for (unsigned m = 0; m < node.mNumMeshes; ++m)
+        meshes.push_back(mScene->mMeshes[node.mMeshes[m]]);
+    return meshes;
+}
+
+//! Brings the skeletons to the form that the exporter and its readers need.
+//! \param boundHere as for bindAtParent()
+void ExportScene::bindMeshes(const aiScene &from, const std::vector<aiNode *> &nodes, bool boundHere)
+{
+    if (mOptions.namesAllBones) {
+        for (const aiNode *node : nodes)
+            addBonesBelow(*mScene, meshesOf(*node));
+    }
+    if (mOptions.laysOutSkeletons)
+        mChanges = layOutSkeletons(*mScene, from);
+    if (!mOptions.bindsAtParent)
+        return;
+    std::vector<aiNode *> all = nodes;
+    all.insert(all.end(), mChanges.added.begin(), mChanges.added.end());
+    for (aiNode *node : all)
+        bindAtParent(*mScene, *node, meshesOf(*node), boundHere);
 }
 
 //! One material more than there are names, for faces without a material. \param from null: Assimp has read
@@ -500,6 +395,8 @@ void ExportScene::makePlain(const Scene &scene)
         setMeshes(*node, list);
         root->mChildren[root->mNumChildren++] = node;
     }
+    if (mOptions.joinsMaterials)
+        mParts = joinMeshes(*mScene);
 }
 
 ExportScene::~ExportScene()

@@ -1,6 +1,8 @@
 // Makes scenes for Assimp's exporters and says what scenes of its importers hold.
 #pragma once
 
+#include "model/io/assimpjoining.h"
+#include "model/io/assimpskeletons.h"
 #include "model/io/assimpsource.h"
 #include "model/io/materiallooks.h"
 #include "model/io/modelunits.h"
@@ -8,6 +10,10 @@
 
 #include <QString>
 
+#include <vector>
+
+struct aiMesh;
+struct aiNode;
 struct aiScene;
 
 namespace autocuts {
@@ -20,6 +26,9 @@ struct ExportOptions
     bool linearColors = false;      //!< those of vertices; otherwise they are sRGB
     bool weighsAll = false;         //!< every vertex of a skinned mesh gets weights
     bool bindsAtParent = false;     //!< skinned meshes lie where they were bound to their bones
+    bool namesAllBones = false;     //!< nodes below bones are bones, with weights or without
+    bool joinsMaterials = false;    //!< joinMeshes()
+    bool laysOutSkeletons = false;  //!< layOutSkeletons()
     ModelUnits units;               //!< of the new file
     MaterialLooks *looks = nullptr; //!< names the pictures of materials; null: they have none
 };
@@ -33,8 +42,8 @@ bool isFromAssimp(const Scene &scene);
 SourceContents contentsOf(const AssimpSource &source);
 
 //! A scene for Assimp's exporters. Animations, cameras and lights belong to the Scene it was made from, which
-//! must outlive it. It owns its meshes, one per AssimpPiece; vertices are split where their corners differ in
-//! UV or normal.
+//! must outlive it. It owns its meshes, one per AssimpPiece unless they are joined; vertices are split where
+//! their corners differ in UV or normal.
 class ExportScene
 {
 public:
@@ -44,16 +53,24 @@ public:
     ExportScene &operator=(const ExportScene &) = delete;
 
     const aiScene *get() const { return mScene; }
+    //! How nodes differ from those of the source.
+    const NodeChanges &changes() const { return mChanges; }
+    //! Of the meshes that were joined.
+    const MaterialParts &parts() const { return mParts; }
 
 private:
     void borrow(const aiScene &from);
     void takeFromSource(const Scene &scene, const AssimpSource &source);
+    void bindMeshes(const aiScene &from, const std::vector<aiNode *> &nodes, bool boundHere);
+    std::vector<aiMesh *> meshesOf(const aiNode &node) const;
     void makePlain(const Scene &scene);
     void makeMaterials(const Scene &scene, const aiScene *from);
 
     aiScene *mScene;
     bool mBorrowed = false; //!< channels of animations, cameras and lights belong to the source
     ExportOptions mOptions;
+    NodeChanges mChanges;
+    MaterialParts mParts;
 };
 
 } // namespace autocuts

@@ -74,13 +74,16 @@ QByteArray withUvSetNames(const QByteArray &text, const Scene &scene)
     return named + text.mid(copied);
 }
 
-//! What Assimp wrote as Collada, with what it leaves out: the names of the UV sets and an animation.
-QByteArray colladaBytes(const Scene &scene, const aiExportDataBlob &blob)
+//! What Assimp wrote as Collada, with what it leaves out: materials of joined meshes, the names of the UV
+//! sets and an animation.
+QByteArray colladaBytes(const Scene &scene, const ExportScene &exported, const aiExportDataBlob &blob)
 {
-    const QByteArray text = withUvSetNames(bytesOf(blob).toByteArray(), scene);
+    const QByteArrayView bytes = bytesOf(blob);
+    const std::string whole = withMaterials({bytes.data(), std::size_t(bytes.size())}, exported.parts());
+    const QByteArray text = withUvSetNames(QByteArray::fromStdString(whole), scene);
     if (const auto *source = dynamic_cast<const AssimpSource *>(scene.source.get()))
         return QByteArray::fromStdString(
-            withAnimations({text.constData(), std::size_t(text.size())}, *source->scene));
+            withAnimations({text.constData(), std::size_t(text.size())}, *source->scene, exported.changes()));
     return text;
 }
 
@@ -128,8 +131,8 @@ Result<Done> writeWithAssimp(const Scene &scene, const QString &path)
         FileSet files;
         if (Result<Done> added = looks.addFiles(files); !added)
             return added;
-        const QByteArray bytes =
-            suffix == QLatin1String("dae") ? colladaBytes(scene, *blob) : bytesOf(*blob).toByteArray();
+        const QByteArray bytes = suffix == QLatin1String("dae") ? colladaBytes(scene, *exported, *blob)
+                                                                : bytesOf(*blob).toByteArray();
         if (Result<Done> added = files.add(path, bytes); !added)
             return added;
         return files.putInPlace();

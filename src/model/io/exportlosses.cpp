@@ -99,8 +99,8 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
         losses << LossTexts::tr(
             "animations are kept of objects and bones only, not of shape keys, materials, "
             "lights and cameras");
-    if (contents.bones && format == QLatin1String("dae"))
-        losses << LossTexts::tr("the pose that the model is in becomes its rest pose");
+    if (contents.bones && !contents.animations && format == QLatin1String("dae"))
+        losses << LossTexts::tr("some programs show a Collada model without animations in its rest pose");
     return losses;
 }
 

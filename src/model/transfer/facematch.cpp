@@ -34,25 +34,54 @@ public:
     //! The nearest vertex within the tolerance; the first among equally near ones, -1 when there is none.
     int nearest(const Vec3 &point) const
     {
-        const Cell centre = cellOf(point);
         int best = -1;
         double bestDistance = mTolerance;
+        eachNear(point, [&](int vertex, double distance) {
+            if (distance < bestDistance || (distance == bestDistance && (best < 0 || vertex < best))) {
+                best = vertex;
+                bestDistance = distance;
+            }
+        });
+        return best;
+    }
+
+    //! For each vertex the first one of those that are the same within the tolerance, or lead to it.
+    std::vector<int> firstOfEqual() const
+    {
+        std::vector<int> first(static_cast<std::size_t>(mMesh.vertexCount()), -1);
+        for (const auto &[cell, start] : mVertices) {
+            std::vector<int> open{start};
+            while (!open.empty()) {
+                const int vertex = open.back();
+                open.pop_back();
+                if (first[vertex] >= 0)
+                    continue;
+                first[vertex] = start;
+                eachNear(mMesh.positions.row(vertex), [&](int other, double) { open.push_back(other); });
+            }
+        }
+        for (int v = 0; v < mMesh.vertexCount(); ++v)
+            first[v] = first[mMesh.vertexWeld[v]];
+        return first;
+    }
+
+private:
+    //! Calls use() with each vertex within the tolerance and its distance.
+    template <typename Use>
+    void eachNear(const Vec3 &point, Use &&use) const
+    {
+        const Cell centre = cellOf(point);
         for (int i = 0; i < 27; ++i) {
             const Cell cell{centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1};
             auto it = std::lower_bound(mVertices.begin(), mVertices.end(), std::pair(cell, -1));
             for (; it != mVertices.end() && it->first == cell; ++it) {
                 const double distance = (Vec3(mMesh.positions.row(it->second)) - point).norm();
-                if (distance < bestDistance ||
-                    (distance == bestDistance && (best < 0 || it->second < best))) {
-                    best = it->second;
-                    bestDistance = distance;
-                }
+                if (distance <= mTolerance)
+                    use(it->second, distance);
             }
         }
-        return best;
     }
 
-private:
     Cell cellOf(const Vec3 &p) const
     {
         if (!(mTolerance > 0))
@@ -95,23 +124,26 @@ FaceKey faceKey(const MeshData &mesh, int face, VertexOf &&vertexOf)
     return key;
 }
 
-void matchByPosition(const MeshData &before, const MeshData &after, double relativeTolerance,
-                     FaceMatch &match)
+//! Matches the faces without counterparts that have the same vertices.
+//! \param counterpart for vertices of the old mesh, -1 for none \param same for vertices of the new one
+void matchByVertices(const MeshData &before, const MeshData &after, const std::vector<int> &counterpart,
+                     const std::vector<int> &same, FaceMatch &match)
 {
-    const double tolerance =
-        relativeTolerance * std::max(largestCoordinate(before), largestCoordinate(after));
-    const VertexGrid grid(after, tolerance);
-    std::vector<int> counterpart(static_cast<std::size_t>(before.vertexCount()), -1);
-    for (int v = 0; v < before.vertexCount(); ++v) {
-        const int weld = before.vertexWeld[v];
-        counterpart[v] = weld == v ? grid.nearest(before.positions.row(v)) : counterpart[weld];
+    std::vector<bool> taken(static_cast<std::size_t>(after.faceCount()), false);
+    for (const int face : match.face) {
+        if (face >= 0)
+            taken[face] = true;
     }
     std::map<std::vector<int>, std::vector<std::pair<int, int>>> faces; // face and first corner
     for (int f = 0; f < after.faceCount(); ++f) {
-        FaceKey key = faceKey(after, f, [&](int v) { return after.vertexWeld[v]; });
+        if (taken[f])
+            continue;
+        FaceKey key = faceKey(after, f, [&](int v) { return same[v]; });
         faces[std::move(key.vertices)].emplace_back(f, key.first);
     }
-    for (int f = 0; f < before.faceCount(); ++f) {
+    for (int f = 0; f < before.faceCount() && !faces.empty(); ++f) {
+        if (match.face[f] >= 0)
+            continue;
         const FaceKey key = faceKey(before, f, [&](int v) { return counterpart[v]; });
         const auto found = key.vertices.front() < 0 ? faces.end() : faces.find(key.vertices);
         if (found == faces.end() || found->second.empty())
@@ -129,6 +161,28 @@ void matchByPosition(const MeshData &before, const MeshData &after, double relat
                 after.faceStart[chosen->first] + (chosen->second + i) % count;
         candidates.erase(chosen);
     }
+}
+
+void matchByPosition(const MeshData &before, const MeshData &after, double relativeTolerance,
+                     FaceMatch &match)
+{
+    const double tolerance =
+        relativeTolerance * std::max(largestCoordinate(before), largestCoordinate(after));
+    const VertexGrid grid(after, tolerance);
+    std::vector<int> counterpart(static_cast<std::size_t>(before.vertexCount()), -1);
+    for (int v = 0; v < before.vertexCount(); ++v) {
+        const int weld = before.vertexWeld[v];
+        counterpart[v] = weld == v ? grid.nearest(before.positions.row(v)) : counterpart[weld];
+    }
+    matchByVertices(before, after, counterpart, after.vertexWeld, match);
+    if (std::ranges::find(match.face, -1) == match.face.end())
+        return;
+    // Where vertices of the new mesh are closer to each other than the tolerance, the nearest may be another
+    // one.
+    const std::vector<int> first = grid.firstOfEqual();
+    for (int &vertex : counterpart)
+        vertex = vertex < 0 ? vertex : first[vertex];
+    matchByVertices(before, after, counterpart, first, match);
 }
 
 } // namespace
