@@ -201,8 +201,17 @@ void Canvas::upload()
     uploadForLight();
 }
 
+void Canvas::resizeEvent(QResizeEvent *event)
+{
+    const QScopedValueRollback resizing(mResizing, true);
+    ToolCanvas::resizeEvent(event);
+    update();
+}
+
 void Canvas::paintEvent(QPaintEvent *event)
 {
+    if (mResizing)
+        return; // the window paints it after all views have their sizes
     const QScopedValueRollback painting(mPainting, true);
     ToolCanvas::paintEvent(event);
 }

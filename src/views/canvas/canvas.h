@@ -85,6 +85,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
     void paintGL() override;
     void resizeGL(int width, int height) override;
+    void resizeEvent(QResizeEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
@@ -110,6 +111,7 @@ private:
     ToolManager &mTools;
     quint64 mRevision = 1;
     bool mPainting = false; //!< for the window, not for a picture
+    bool mResizing = false; //!< the base class paints at once, before the window does
     SceneContent mContent;
     TextureFile mTexture;
     bool mTextureStale = true, mTangentsStale = true;
