@@ -3,15 +3,22 @@
 #include "support/canvases.h"
 #include "support/editsupport.h"
 #include "support/panelongrid.h"
+#include "views/canvas/madepictures.h"
 #include "views/canvas/mapoverlays.h"
+#include "views/gl/patterntexture.h"
 #include "views/panels/packpanel.h"
+#include "views/ui/pooltask.h"
 
 #include <QHeaderView>
+#include <QOpenGLContext>
+#include <QOpenGLVersionFunctionsFactory>
 #include <QPainter>
 #include <QPicture>
 #include <QResizeEvent>
+#include <QSemaphore>
 #include <QStyledItemDelegate>
 #include <QTest>
+#include <QThread>
 #include <QTreeWidget>
 
 using namespace autocuts;
@@ -51,6 +58,21 @@ public:
 
 private:
     mutable int mCount = 0;
+};
+
+//! Keeps all threads of the pool busy as long as it lives.
+class BusyPool final
+{
+public:
+    BusyPool()
+    {
+        for (int t = 0; t < backgroundPool().maxThreadCount(); ++t)
+            backgroundPool().start([hold = mHold] { hold->acquire(); });
+    }
+    ~BusyPool() { mHold->release(backgroundPool().maxThreadCount()); }
+
+private:
+    std::shared_ptr<QSemaphore> mHold = std::make_shared<QSemaphore>();
 };
 
 //! One face in each tile.
@@ -145,6 +167,136 @@ private Q_SLOTS:
         QCOMPARE(size(4, near), size(4, {}));                          // too small for a line
         QVERIFY(size(4, {{1001, QColor(Qt::red)}}) > size(4, {}));     // its tint can be seen
         QCOMPARE(size(100, {{1950, QColor(Qt::red)}}), size(100, {})); // outside
+    }
+
+    void picturesAreMadeOnceForAllViews()
+    {
+        std::atomic<int> made = 0;
+        std::atomic<QThread *> thread = nullptr;
+        const auto make = [&] {
+            ++made;
+            thread = QThread::currentThread();
+            QImage image(8, 4, QImage::Format_RGB32);
+            image.fill(Qt::red);
+            return Pictures::of(image);
+        };
+        MadePictures first, second;
+        first.ask(u"red"_s, make, false);
+        second.ask(u"red"_s, make, false);
+        QVERIFY(first.pictures().images.empty());
+        QTRY_VERIFY(!first.pictures().images.empty() && !second.pictures().images.empty());
+        QCOMPARE(made.load(), 1);
+        QVERIFY(thread != QThread::currentThread());
+        const QImage &image = first.pictures().images.front();
+        QCOMPARE(image.cacheKey(), second.pictures().images.front().cacheKey());
+        QCOMPARE(image.format(), QImage::Format_RGBA8888);
+        QCOMPARE(first.pictures().smaller.front().size(), std::size_t(3)); // 4 x 2, 2 x 1, 1 x 1
+        // What nobody wants any more is not made; what was there may stay until the next is.
+        {
+            const BusyPool busy;
+            first.ask(u"second"_s, make, true);
+            first.ask(u"third"_s, make, true);
+            QCOMPARE(first.pictures().images.front().cacheKey(), image.cacheKey());
+            second.ask({}, make, true);
+            QVERIFY(second.pictures().images.empty());
+        }
+        const qint64 before = first.pictures().images.front().cacheKey();
+        QTRY_VERIFY(first.pictures().images.front().cacheKey() != before);
+        QVERIFY(backgroundPool().waitForDone());
+        QCOMPARE(made.load(), 2);
+    }
+
+    void picturesAreReadyForTheUpload()
+    {
+        QImage image(2, 2, QImage::Format_ARGB32);
+        image.setPixel(0, 0, qRgba(10, 0, 0, 0)); // colours below full transparency are data, too
+        image.setPixel(1, 0, qRgba(20, 0, 0, 0));
+        image.setPixel(0, 1, qRgba(30, 100, 0, 0));
+        image.setPixel(1, 1, qRgba(40, 100, 0, 100));
+        QImage other(4, 1, QImage::Format_RGB32);
+        other.fill(Qt::blue);
+        const Pictures alone = readyForUpload(Pictures::of(image));
+        QCOMPARE(alone.images.front(), image.convertToFormat(QImage::Format_RGBA8888));
+        QCOMPARE(alone.smaller.front().size(), std::size_t(1));
+        QCOMPARE(alone.smaller.front().front().pixel(0, 0), qRgba(25, 50, 0, 25));
+        const Pictures both = readyForUpload({1, {image, other}, {{0, {}}, {1, {}}}});
+        for (const QImage &each : both.images)
+            QCOMPARE(each.size(), QSize(4, 2));
+        QCOMPARE(both.images[1].pixel(3, 1), qRgb(0, 0, 255));
+    }
+
+    //! Large pictures are uploaded in parts; those before are drawn meanwhile.
+    void picturesAreUploadedInParts()
+    {
+        Canvases studio;
+        studio.mesh.makeCurrent();
+        auto *gl = QOpenGLVersionFunctionsFactory::get<GlFunctions>(QOpenGLContext::currentContext());
+        QVERIFY(gl && gl->initializeOpenGLFunctions());
+        {
+            PatternTexture texture(*gl);
+            const auto finished = [&] {
+                int parts = 0;
+                for (; texture.isBusy(); ++parts)
+                    texture.goOn(0);
+                return parts;
+            };
+            QImage small(4, 4, QImage::Format_RGBA8888), large(2048, 2048, QImage::Format_RGBA8888);
+            small.fill(Qt::red);
+            large.fill(Qt::blue);
+            const Pictures first = readyForUpload(Pictures::of(small)),
+                           second = readyForUpload(Pictures::of(large));
+            texture.begin(first, false);
+            QVERIFY(!texture.show() && texture.isEmpty());
+            finished();
+            QVERIFY(texture.isEmpty() && texture.show() && !texture.isEmpty() && texture.has(first));
+            QVERIFY(!texture.show());
+            texture.begin(second, true);
+            texture.goOn(0);
+            QVERIFY(texture.isBusy() && !texture.show() && !texture.isEmpty() && !texture.has(second));
+            QVERIFY(finished() > 10);
+            QVERIFY(texture.show() && texture.has(second));
+            texture.begin(Pictures::of(small), false); // without smaller copies
+            QVERIFY(texture.isEmpty());
+            finished();
+            QVERIFY(texture.show() && !texture.isEmpty());
+            texture.begin({}, true);
+            QVERIFY(!texture.isBusy() && texture.isEmpty());
+            QVERIFY(texture.show() && texture.has({}));
+        }
+        studio.mesh.doneCurrent();
+    }
+
+    //! Views go on while it is drawn, and show it afterwards.
+    void lettersAreDrawnOnAnotherThread()
+    {
+        Canvases studio;
+        studio.open(test::layoutDocument(test::grid(4)));
+        studio.lookFromFront();
+        const QImage plainMap = studio.uv.picture(), plainModel = studio.mesh.picture();
+        ViewOptions options = studio.view.options();
+        {
+            const BusyPool busy;
+            options.pattern = Pattern::Lettered;
+            options.letteredCells = 3;
+            studio.view.setOptions(options);
+            QVERIFY(!studio.uv.picture().isNull()); // does not wait
+            QCOMPARE(studio.mesh.picture(), plainModel);
+        }
+        QTRY_VERIFY(studio.uv.picture() != plainMap && studio.mesh.picture() != plainModel);
+        const QImage three = studio.mesh.picture();
+        {
+            const BusyPool busy;
+            options.letteredCells = 5;
+            studio.view.setOptions(options);
+            QCOMPARE(studio.mesh.picture(), three); // until the next is there
+        }
+        QTRY_VERIFY(studio.mesh.picture() != three);
+        options.pattern = Pattern::None;
+        studio.view.setOptions(options);
+        QCOMPARE(studio.mesh.picture(), plainModel);
+        options.pattern = Pattern::Lettered;
+        studio.view.setOptions(options); // still there
+        QVERIFY(studio.mesh.picture() != plainModel);
     }
 };
 

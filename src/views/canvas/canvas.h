@@ -1,13 +1,14 @@
 // The common part of both views: drawing, picking, navigation and passing events to the tool.
 #pragma once
 
+#include "views/canvas/madepictures.h"
 #include "views/canvas/navigation.h"
 #include "views/canvas/scenecontent.h"
-#include "views/canvas/texturefile.h"
 #include "views/canvas/toolcanvas.h"
 
 #include <QCborMap>
 #include <QImage>
+#include <QTimer>
 
 #include <memory>
 
@@ -101,7 +102,9 @@ private:
     void releaseGl();
     void changePicture();
     void choosePicture();
+    const Pictures &wantedPictures() const;
     void uploadPictures();
+    void uploadOn();
     void uploadForLight();
     void updateCursor();
     void placeCursor(const QPointF &pixel);
@@ -113,11 +116,12 @@ private:
     bool mPainting = false; //!< for the window, not for a picture
     bool mResizing = false; //!< the base class paints at once, before the window does
     SceneContent mContent;
-    TextureFile mTexture;
+    MadePictures mTexture, mLetters;
     bool mTextureStale = true, mTangentsStale = true;
     std::shared_ptr<const Environment> mEnvironment; //!< in graphics memory
-    Pattern mPictured = Pattern::None;               //!< of the pictures in graphics memory
-    int mLetteredCells = 0;                          //!< of the lettered pattern
+    Pattern mPictured = Pattern::None;               //!< of the pictures that are wanted
+    Pattern mUploaded = Pattern::None;               //!< of those that were uploaded last
+    QTimer mUploadSoon;                              //!< goes on with the upload
     std::unique_ptr<GlResources> mGl; //!< null before the first paint, and when OpenGL is not available
     QString mGlError;                 //!< why OpenGL is not available
     QMetaObject::Connection mContextGone;
