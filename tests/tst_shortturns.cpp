@@ -5,6 +5,8 @@
 #include "support/panelongrid.h"
 #include "views/canvas/madepictures.h"
 #include "views/canvas/mapoverlays.h"
+#include "views/control/opening.h"
+#include "views/gl/meshdrawing.h"
 #include "views/gl/patterntexture.h"
 #include "views/panels/packpanel.h"
 #include "views/ui/pooltask.h"
@@ -20,6 +22,8 @@
 #include <QTest>
 #include <QThread>
 #include <QTreeWidget>
+
+#include <future>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -297,6 +301,36 @@ private Q_SLOTS:
         options.pattern = Pattern::Lettered;
         studio.view.setOptions(options); // still there
         QVERIFY(studio.mesh.picture() != plainModel);
+    }
+
+    //! What takes long of a model is done where it is read.
+    void modelsComeReadyForTheViews()
+    {
+        Canvases studio;
+        const QString path = studio.folder.filePath(u"m.obj"_s);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                   "f 1/1 2/2 3/3 4/4\n");
+        file.close();
+        const PreferenceValues preferences = studio.preferences.values();
+        auto read = std::async(std::launch::async, [&, thread = QThread::currentThread()] {
+            return std::make_shared<Result<NewDocument>>(
+                readModel(path, preferences, thread, std::atomic<bool>()));
+        });
+        const std::shared_ptr<Result<NewDocument>> result = read.get();
+        const Result<NewDocument> &made = *result;
+        QVERIFY(made.ok() && made->drawing);
+        QCOMPARE(made->document->thread(), QThread::currentThread());
+        QCOMPARE(made->document->undoStack().thread(), QThread::currentThread());
+        QCOMPARE(made->drawing->mesh, made->document->state().scene.mesh);
+        QCOMPARE(made->drawing->vertices.size(), std::size_t(6));
+        // Both views use the same.
+        studio.files.open(path);
+        QTRY_VERIFY(studio.workspace.document() && !studio.files.jobs().isBusy());
+        QVERIFY(!studio.mesh.picture().isNull());
+        QCOMPARE(&studio.mesh.content().topology(), &studio.uv.content().topology());
+        QCOMPARE(&studio.mesh.content().topology(), &studio.workspace.drawing()->topology);
     }
 };
 
