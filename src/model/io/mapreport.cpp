@@ -70,9 +70,9 @@ std::vector<MapReport::Part> partsOf(const Scene &scene, SceneKind kind, const m
 {
     const std::vector<SceneGroup> groups = sceneGroups(scene, kind);
     const std::vector<int> groupOf = groupOfFaces(groups, scene.mesh->faceCount());
-    const std::vector<metrics::GroupFigures> measured =
-        metrics::groupFigures(*scene.mesh, scene.uvSets.front().uv, groupOf, static_cast<int>(groups.size()),
-                              figures.chartSymDirichlet);
+    const std::vector<metrics::GroupFigures> measured = metrics::groupFigures(
+        *scene.mesh, findCharts(*scene.mesh, scene.uvSets.front().uv), scene.uvSets.front().uv, groupOf,
+        static_cast<int>(groups.size()), figures.chartSymDirichlet);
     std::vector<MapReport::Part> parts;
     for (std::size_t g = 0; g < groups.size(); ++g)
         parts.push_back({groups[g].name, measured[g].faces, measured[g].charts, measured[g].symDirichlet,

@@ -8,11 +8,10 @@
 
 namespace autocuts::metrics {
 
-std::vector<GroupFigures> groupFigures(const MeshData &mesh, const UvMatrix &uv,
+std::vector<GroupFigures> groupFigures(const MeshData &mesh, const ChartMap &charts, const UvMatrix &uv,
                                        const std::vector<int> &faceGroup, int count,
                                        const std::vector<double> &chartSymDirichlet)
 {
-    const ChartMap charts = findCharts(mesh, uv);
     std::vector<GroupFigures> figures(static_cast<std::size_t>(count));
     std::vector<std::set<int>> chartsOf(figures.size());
     for (int face = 0; face < mesh.faceCount(); ++face) {

@@ -1,6 +1,7 @@
 // The figures of parts of a map: of its objects or its materials.
 #pragma once
 
+#include "model/plain/chart.h"
 #include "model/plain/meshdata.h"
 #include "model/plain/uvfigures.h"
 
@@ -17,10 +18,10 @@ struct GroupFigures
     double uvArea = 0;              //!< in the map
 };
 
-//! \param uv one row per corner; a non-finite row means that the corner has no UV
-//! \param faceGroup per face: its group, below count
-//! \param chartSymDirichlet UvMetrics::chartSymDirichlet of this map; empty: the distortion stays missing
-std::vector<GroupFigures> groupFigures(const MeshData &mesh, const UvMatrix &uv,
+//! \param charts findCharts() of the map \param uv one row per corner; a non-finite row means that the corner
+//! has no UV \param faceGroup per face: its group, below count \param chartSymDirichlet
+//! UvMetrics::chartSymDirichlet of this map; empty: the distortion stays missing
+std::vector<GroupFigures> groupFigures(const MeshData &mesh, const ChartMap &charts, const UvMatrix &uv,
                                        const std::vector<int> &faceGroup, int count,
                                        const std::vector<double> &chartSymDirichlet);
 

@@ -6,7 +6,6 @@
 #include "views/control/livebake.h"
 #include "views/control/modelpictures.h"
 #include "views/control/workspace.h"
-#include "views/gl/letteredpattern.h"
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -16,11 +15,16 @@
 #include <QScopedValueRollback>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace autocuts {
 
 namespace {
+
+//! Milliseconds that uploading pictures may take within a paint event, and in one turn of the event loop.
+//! Chosen by hand.
+constexpr int timeOfPaint = 8, timeOfTurn = 16;
 
 QSurfaceFormat canvasFormat()
 {
@@ -43,10 +47,15 @@ Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWid
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(80, 80);
     connect(&mContent, &SceneContent::changed, this, &Canvas::changePicture);
-    connect(&mTexture, &TextureFile::changed, this, [this] {
-        mTextureStale = true;
-        changePicture();
-    });
+    mUploadSoon.setSingleShot(true);
+    connect(&mUploadSoon, &QTimer::timeout, this, &Canvas::uploadOn);
+    for (const auto &[made, pattern] :
+         {std::pair(&mTexture, Pattern::Texture), {&mLetters, Pattern::Lettered}}) {
+        connect(made, &MadePictures::changed, this, [this, pattern = pattern] {
+            mTextureStale |= mPictured == pattern;
+            changePicture();
+        });
+    }
     connect(&context.pictures, &ModelPictures::changed, this, [this] {
         mTextureStale |= mPictured == Pattern::Materials || mPictured == Pattern::Physical;
         changePicture();
@@ -66,6 +75,10 @@ Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWid
         mNavigation = Navigation::None;
         mToolPressed = false;
         studio().view.setHover({});
+        if (onlySet() == 0 || mPictured == Pattern::Baked) {
+            mTextureStale = true;
+            mUploaded = Pattern::None; // the pictures of another model do not stay
+        }
         documentReplaced();
     });
     connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
@@ -126,11 +139,11 @@ void Canvas::resizeGL(int, int)
 void Canvas::choosePicture()
 {
     const ViewOptions &options = studio().view.options();
-    mTexture.setPath(options.texturePath);
-    const int cells = static_cast<int>(std::lround(options.letteredCells));
-    mTextureStale |= options.pattern != mPictured || cells != mLetteredCells;
+    mTextureStale |= options.pattern != mPictured;
     mPictured = options.pattern;
-    mLetteredCells = cells;
+    askForTexture(mTexture, options.texturePath);
+    if (options.pattern == Pattern::Lettered)
+        askForLetters(mLetters, static_cast<int>(std::lround(options.letteredCells)));
     ++mRevision;
 }
 
@@ -139,28 +152,61 @@ int Canvas::onlySet() const
     return mPictured == Pattern::Materials || mPictured == Pattern::Physical ? 0 : 1;
 }
 
-void Canvas::uploadPictures()
+const Pictures &Canvas::wantedPictures() const
 {
+    static const Pictures none;
     switch (mPictured) {
     case Pattern::None:
     case Pattern::Checker:
-        mGl->pictures.setPictures({});
-        break;
+        return none;
     case Pattern::Texture:
-        mGl->pictures.setPictures(mTexture.pictures());
-        break;
+        return mTexture.pictures();
     case Pattern::Baked:
-        mGl->pictures.setPictures(studio().liveBake.pictures());
-        break;
+        return studio().liveBake.pictures();
     case Pattern::Lettered:
-        mGl->pictures.setPictures(Pictures::of(letteredPattern(mLetteredCells)));
-        break;
+        return mLetters.pictures();
     case Pattern::Materials:
     case Pattern::Physical:
-        mGl->pictures.setPictures(studio().pictures.pictures());
-        mGl->soup.setSets(studio().pictures.triangleSets());
-        break;
+        return studio().pictures.pictures();
     }
+    return none;
+}
+
+//! Pictures of the same pattern stay until others are there. Those of a bake that goes on replace each other
+//! one after another; else a slow upload would never end.
+void Canvas::uploadPictures()
+{
+    PatternTexture &shown = mGl->pictures;
+    const bool same = mUploaded == mPictured;
+    bool others = shown.show(); // complete since the last turn
+    const bool waits = same && mPictured == Pattern::Baked && shown.isBusy() && mPainting;
+    if (!waits && std::exchange(mTextureStale, false)) {
+        others = true;
+        if (!same || !shown.has(wantedPictures()))
+            shown.begin(wantedPictures(), same);
+        mUploaded = mPictured;
+    }
+    if (shown.isBusy())
+        shown.goOn(mPainting ? timeOfPaint : std::numeric_limits<int>::max());
+    if (shown.isBusy())
+        mUploadSoon.start();
+    others = shown.show() || others;
+    if (others && onlySet() == 0)
+        mGl->soup.setSets(studio().pictures.triangleSets());
+}
+
+//! Between two paints.
+void Canvas::uploadOn()
+{
+    if (!mGl || !mGl->pictures.isBusy())
+        return;
+    makeCurrent();
+    mGl->pictures.goOn(timeOfTurn);
+    doneCurrent();
+    if (mGl->pictures.isBusy())
+        mUploadSoon.start();
+    else
+        changePicture();
 }
 
 //! What only the 3D view needs for texture sets.
@@ -196,13 +242,21 @@ void Canvas::upload()
         mGl->soup.setSides(mContent.sides());
     if (parts & SceneContent::Points)
         mGl->points.setPoints(mContent.points());
-    if (std::exchange(mTextureStale, false))
-        uploadPictures();
+    uploadPictures();
     uploadForLight();
+}
+
+void Canvas::resizeEvent(QResizeEvent *event)
+{
+    const QScopedValueRollback resizing(mResizing, true);
+    ToolCanvas::resizeEvent(event);
+    update();
 }
 
 void Canvas::paintEvent(QPaintEvent *event)
 {
+    if (mResizing)
+        return; // the window paints it after all views have their sizes
     const QScopedValueRollback painting(mPainting, true);
     ToolCanvas::paintEvent(event);
 }

@@ -1,13 +1,14 @@
 // The common part of both views: drawing, picking, navigation and passing events to the tool.
 #pragma once
 
+#include "views/canvas/madepictures.h"
 #include "views/canvas/navigation.h"
 #include "views/canvas/scenecontent.h"
-#include "views/canvas/texturefile.h"
 #include "views/canvas/toolcanvas.h"
 
 #include <QCborMap>
 #include <QImage>
+#include <QTimer>
 
 #include <memory>
 
@@ -85,6 +86,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
     void paintGL() override;
     void resizeGL(int width, int height) override;
+    void resizeEvent(QResizeEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
@@ -100,7 +102,9 @@ private:
     void releaseGl();
     void changePicture();
     void choosePicture();
+    const Pictures &wantedPictures() const;
     void uploadPictures();
+    void uploadOn();
     void uploadForLight();
     void updateCursor();
     void placeCursor(const QPointF &pixel);
@@ -110,12 +114,14 @@ private:
     ToolManager &mTools;
     quint64 mRevision = 1;
     bool mPainting = false; //!< for the window, not for a picture
+    bool mResizing = false; //!< the base class paints at once, before the window does
     SceneContent mContent;
-    TextureFile mTexture;
+    MadePictures mTexture, mLetters;
     bool mTextureStale = true, mTangentsStale = true;
     std::shared_ptr<const Environment> mEnvironment; //!< in graphics memory
-    Pattern mPictured = Pattern::None;               //!< of the pictures in graphics memory
-    int mLetteredCells = 0;                          //!< of the lettered pattern
+    Pattern mPictured = Pattern::None;               //!< of the pictures that are wanted
+    Pattern mUploaded = Pattern::None;               //!< of those that were uploaded last
+    QTimer mUploadSoon;                              //!< goes on with the upload
     std::unique_ptr<GlResources> mGl; //!< null before the first paint, and when OpenGL is not available
     QString mGlError;                 //!< why OpenGL is not available
     QMetaObject::Connection mContextGone;

@@ -103,14 +103,20 @@ void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &color
     }
 }
 
-void drawTilesInUse(QPainter &painter, const ViewColors &colors, const MapCamera &camera, double tileHeight,
-                    const std::vector<std::pair<int, QColor>> &tiles)
+void drawTilesInUse(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
+                    double tileHeight, const std::vector<std::pair<int, QColor>> &tiles)
 {
-    painter.setPen(QPen(colors.text, 1.4));
+    constexpr double leastOutlined = 8, lineWidth = 1.4; // logical pixels
+    const QRectF seen = QRectF(view).adjusted(-lineWidth, -lineWidth, lineWidth, lineWidth);
+    const bool outlined = camera.scale() * std::min(1.0, tileHeight) >= leastOutlined;
+    painter.setPen(outlined ? QPen(colors.text, lineWidth) : QPen(Qt::NoPen));
     for (const auto &[tile, color] : tiles) {
-        painter.setBrush(color.isValid() ? QBrush(color) : QBrush(Qt::NoBrush));
         const Eigen::AlignedBox2d box = udimTile(tile, tileHeight);
-        painter.drawRect(QRectF(camera.toScreen(box.min()), camera.toScreen(box.max())).normalized());
+        const QRectF place = QRectF(camera.toScreen(box.min()), camera.toScreen(box.max())).normalized();
+        if ((!outlined && !color.isValid()) || !seen.intersects(place))
+            continue;
+        painter.setBrush(color.isValid() ? QBrush(color) : QBrush(Qt::NoBrush));
+        painter.drawRect(place);
     }
 }
 

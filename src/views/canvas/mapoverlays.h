@@ -23,9 +23,10 @@ inline constexpr int rulerSize = 18;
 //! Draws the UDIM numbers of the visible tiles that are large enough, where the view does not cut them.
 void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
                    double tileHeight);
-//! Draws the sides of the tiles in use, and tints them. \param tiles their numbers, with their colours
-void drawTilesInUse(QPainter &painter, const ViewColors &colors, const MapCamera &camera, double tileHeight,
-                    const std::vector<std::pair<int, QColor>> &tiles);
+//! Draws the sides of the visible tiles in use where they are large enough on the screen, and tints them.
+//! \param tiles their numbers, with their colours
+void drawTilesInUse(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
+                    double tileHeight, const std::vector<std::pair<int, QColor>> &tiles);
 //! Draws rulers at the upper and left side, in texels from the corner of tile 1001. Numbers that the view
 //! would cut are left out.
 void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,

@@ -9,6 +9,7 @@
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 #include "views/gl/buried.h"
+#include "views/gl/meshdrawing.h"
 #include "views/gl/texeldensity.h"
 #include "views/ui/preferences.h"
 
@@ -26,13 +27,10 @@ constexpr int mostTangentTriangles = 200000;
 //! Data made once per mesh.
 struct SceneContent::MeshParts
 {
-    explicit MeshParts(std::shared_ptr<const MeshData> m)
-        : mesh(std::move(m)), frame(MeshFrame::of(*mesh)), topology(*mesh)
-    {}
+    explicit MeshParts(std::shared_ptr<const MeshDrawing> d) : drawing(std::move(d)), mesh(drawing->mesh) {}
 
+    std::shared_ptr<const MeshDrawing> drawing;
     std::shared_ptr<const MeshData> mesh;
-    MeshFrame frame;
-    SoupTopology topology;
     mutable std::vector<Eigen::Vector3f> normals; //!< of corners; made when tangents are first asked for
     mutable std::optional<StretchMeter> meter;    //!< made when a heat-map is first shown
 };
@@ -179,7 +177,7 @@ const SceneContent::MeshParts &SceneContent::meshParts() const
     // Compared because a canvas can be used before it has been told about another document.
     const std::shared_ptr<const MeshData> &current = mContext.workspace.document()->state().scene.mesh;
     if (!mMeshParts || mMeshParts->mesh != current)
-        mMeshParts = std::make_unique<const MeshParts>(current);
+        mMeshParts = std::make_unique<const MeshParts>(mContext.workspace.drawing());
     return *mMeshParts;
 }
 
@@ -190,12 +188,12 @@ std::shared_ptr<const MeshData> SceneContent::sharedMesh() const
 
 const MeshFrame &SceneContent::frame() const
 {
-    return meshParts().frame;
+    return meshParts().drawing->frame;
 }
 
 const SoupTopology &SceneContent::topology() const
 {
-    return meshParts().topology;
+    return meshParts().drawing->topology;
 }
 
 const UvMatrix &SceneContent::uv() const
@@ -239,6 +237,11 @@ bool SceneContent::isHidden(int soupCorner) const
     return !document.hidden().empty() && document.hidden()[document.mesh().triangleFace[soupCorner / 3]];
 }
 
+const std::vector<SoupVertex> &SceneContent::vertices() const
+{
+    return mAsMap || !mMeshParts ? mVertices : mMeshParts->drawing->vertices;
+}
+
 int SceneContent::refresh()
 {
     const int parts = std::exchange(mStale, 0);
@@ -257,8 +260,6 @@ int SceneContent::refresh()
     const MeshParts &own = meshParts();
     if ((parts & Vertices) && mAsMap) // drawn without places and light
         mVertices.assign(static_cast<std::size_t>(own.mesh->soupCornerCount()), {});
-    else if (parts & Vertices)
-        mVertices = soupVertices(*own.mesh, document->state().scene.hardEdges, own.frame);
     if (parts & Uvs) {
         mUvs = soupUvs(uv());
         mUvBox = layoutBox(uv());
@@ -271,7 +272,7 @@ int SceneContent::refresh()
         const std::vector<std::uint8_t> &straight = document->seams().straight;
         mShowsStraight =
             mOptions.steering && std::find(straight.begin(), straight.end(), 1) != straight.end();
-        mSides = sideTexels({*own.mesh, own.topology, mContext.shownMap.uv(), mContext.shownMap.separation(),
+        mSides = sideTexels({*own.mesh, topology(), mContext.shownMap.uv(), mContext.shownMap.separation(),
                              document->seams(), mOptions, shownSelection().edges, document->givenSeams()});
     }
     if (parts & Points)

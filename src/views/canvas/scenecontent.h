@@ -46,7 +46,7 @@ public:
     //! Makes the next refresh() report all arrays as changed, after the OpenGL context was lost.
     void markAll();
 
-    const std::vector<SoupVertex> &vertices() const { return mVertices; }
+    const std::vector<SoupVertex> &vertices() const;
     const std::vector<float> &uvs() const { return mUvs; }
     //! Tangents for normal maps, three numbers for each soup corner and the side of the bitangent. Empty for
     //! a live map, and for so many triangles that they would take long. \pre mesh()

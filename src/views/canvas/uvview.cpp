@@ -270,7 +270,7 @@ void UvView::drawOverlay(QPainter &painter)
     if (options.grid)
         drawTileNames(painter, rect(), colors, mCamera, texture.tileHeight());
     if (options.grid && document && studio().map.figuresAreFresh() && !studio().shownMap.isLive())
-        drawTilesInUse(painter, colors, mCamera, texture.tileHeight(), tilesInUse());
+        drawTilesInUse(painter, rect(), colors, mCamera, texture.tileHeight(), tilesInUse());
     if (document && options.steering)
         drawRectangles(painter, document->constraints().rectangles, mCamera);
     if (document && content().uvBox().isEmpty()) {

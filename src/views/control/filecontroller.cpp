@@ -6,13 +6,13 @@
 #include "model/io/fileclashes.h"
 #include "model/io/instances.h"
 #include "model/io/mapreport.h"
-#include "model/io/meshdoctor.h"
 #include "model/io/meshfile.h"
 #include "model/io/savefile.h"
 #include "model/io/setjournal.h"
 #include "model/io/texturefiles.h"
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
+#include "views/control/opening.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/ui/preferences.h"
@@ -22,17 +22,6 @@
 namespace autocuts {
 
 namespace {
-
-//! A session from a file, made on the thread of a job. \param thread where it is to be used
-Result<LoadedSession> loadSession(const QString &path, QThread *thread, const std::atomic<bool> &stop)
-{
-    Result<LoadedProject> project = loadProject(path, &stop);
-    if (!project)
-        return project.error();
-    const QStringList notes = project->notes + meshDoctorNotes(project->state.scene.mesh->report);
-    return LoadedSession{
-        restoredSession(std::move(project->state), std::move(project->extras.journal), thread, &stop), notes};
-}
 
 //! The file of a session, as it is opened.
 struct SessionFile
@@ -60,7 +49,7 @@ struct SessionFile
 struct Opened
 {
     Result<LoadedSession> project = Error{};
-    Result<Scene> scene = Error{};
+    Result<NewDocument> model = Error{};
     bool isProject = false;
     SessionFile file;
     QStringList notes; //!< on files beside it
@@ -147,7 +136,7 @@ void FileController::open(const QString &path)
     const QString full = QFileInfo(path).absoluteFilePath();
     const bool started = mJobs.start(
         tr("Opening %1").arg(QFileInfo(path).fileName()),
-        [full, thread = thread()](JobControl &job) {
+        [full, thread = thread(), preferences = mPreferences.values()](JobControl &job) {
             Opened opened;
             opened.notes = endBrokenSets({full});
             opened.isProject = isProjectPath(full);
@@ -155,14 +144,14 @@ void FileController::open(const QString &path)
                 opened.file = SessionFile::at(full);
                 opened.project = loadSession(full, thread, job.stop());
             } else
-                opened.scene = readMesh(full, &job.stop());
+                opened.model = readModel(full, preferences, thread, job.stop());
             return opened;
         },
         [this, full](Opened opened) {
-            const bool ok = opened.isProject ? opened.project.ok() : opened.scene.ok();
+            const bool ok = opened.isProject ? opened.project.ok() : opened.model.ok();
             if (!ok) {
                 tellNotes(opened.notes);
-                Q_EMIT failed(opened.isProject ? opened.project.error() : opened.scene.error());
+                Q_EMIT failed(opened.isProject ? opened.project.error() : opened.model.error());
                 return;
             }
             mPreferences.addRecentFile(full);
@@ -171,7 +160,7 @@ void FileController::open(const QString &path)
                 takeFile(full, opened.file.stamp, std::move(opened.file.lock));
                 adoptProject(std::move(opened.project).value(), full, nullptr);
             } else
-                adoptFile(std::move(opened.scene).value());
+                adoptNew(std::move(opened.model).value());
             tellNotes(opened.notes); // another model takes away what was told before
         });
     if (!started)
@@ -183,8 +172,8 @@ void FileController::openSample(const QString &name)
     Result<Scene> scene = makeSample(name);
     if (!scene)
         Q_EMIT failed(scene.error());
-    else
-        adoptFile(std::move(scene).value());
+    else if (const Result<Done> adopted = adopt(std::move(scene).value()); !adopted)
+        Q_EMIT failed(adopted.error());
 }
 
 void FileController::recover(const RecoverableSession &session)
@@ -212,30 +201,21 @@ void FileController::recover(const RecoverableSession &session)
 
 Result<Done> FileController::adopt(Scene scene, const std::function<void(DocumentState &)> &prepare)
 {
-    QStringList notes(scene.notes.begin(), scene.notes.end());
-    notes += meshDoctorNotes(scene.mesh->report);
-    DocumentState state = DocumentState::initial(std::move(scene));
-    state.solveSettings.maxDistortion = mPreferences.values().maxDistortion;
-    state.packingSettings.textureSize = mPreferences.values().textureSize;
-    state.packingSettings.margin = mPreferences.values().margin;
-    if (prepare)
-        prepare(state);
-    Result<std::unique_ptr<Document>> document = Document::create(std::move(state));
-    if (!document)
-        return document.error();
-    endAutosave();
-    takeFile({}, {}, nullptr);
-    mWorkspace.open(std::move(document).value(), {}, std::nullopt, notes);
-    beginAutosave(nullptr);
-    applyPreferences();
-    Q_EMIT opened();
+    Result<NewDocument> made = newDocument(std::move(scene), mPreferences.values(), prepare);
+    if (!made)
+        return made.error();
+    adoptNew(std::move(made).value());
     return Done();
 }
 
-void FileController::adoptFile(Scene scene)
+void FileController::adoptNew(NewDocument made)
 {
-    if (const Result<Done> adopted = adopt(std::move(scene)); !adopted)
-        Q_EMIT failed(adopted.error());
+    endAutosave();
+    takeFile({}, {}, nullptr);
+    mWorkspace.open(std::move(made.document), {}, std::nullopt, made.notes, std::move(made.drawing));
+    beginAutosave(nullptr);
+    applyPreferences();
+    Q_EMIT opened();
 }
 
 //! The session has another file from now on. \param lock null: the lock that is there stays
@@ -253,7 +233,7 @@ void FileController::adoptProject(LoadedSession project, const QString &sessionP
 {
     endAutosave();
     mWorkspace.open(std::move(project.session.document), sessionPath, std::move(project.session.past),
-                    project.notes);
+                    project.notes, std::move(project.drawing));
     if (recovered)
         mWorkspace.setRecovered(true);
     beginAutosave(recovered);

@@ -22,16 +22,11 @@ class Document;
 class Preferences;
 class SolverController;
 class Workspace;
+struct LoadedSession;
+struct NewDocument;
 
 //! A copy of the model for writing: its active UV set comes first.
 Scene sceneForWriting(const Document &document);
-
-//! A session from a file.
-struct LoadedSession
-{
-    RestoredSession session;
-    QStringList notes; //!< for the user, one line each
-};
 
 //! Reads and writes the files of the session. Signals report success and failure.
 class FileController final : public QObject
@@ -126,7 +121,7 @@ private:
     //! Receives what is lost, or why the model was not taken.
     using Relinking = std::function<void(RelinkEnd end, const Result<QStringList> &lost)>;
     bool relinkTo(const QString &path, quint64 gesture, const ReadModel &read, const Relinking &ended);
-    void adoptFile(Scene scene);
+    void adoptNew(NewDocument made);
     void takeFile(const QString &path, const FileStamp &stamp, std::shared_ptr<SessionLock> lock);
     std::function<QStringList(bool ownModel)> filesToKeep() const;
     void adoptProject(LoadedSession project, const QString &sessionPath, const RecoverableSession *recovered);

@@ -131,7 +131,8 @@ std::map<int, std::vector<QImage>> laidImages(const LiveBakeModel &model, const 
     for (const int tile : tiles) {
         grid.tile = udimTile(tile, tileHeight);
         const QImage image = imageOf(model.samples->lay(low, grid, JobContext(&stop)));
-        images[tile] = lit ? litLayers(image, model.job->greenDown) : std::vector<QImage>{image};
+        images[tile] = lit ? litLayers(image, model.job->greenDown)
+                           : std::vector<QImage>{image.convertToFormat(QImage::Format_RGBA8888)};
         if (stop)
             break;
     }

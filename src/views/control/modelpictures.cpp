@@ -239,8 +239,10 @@ void ModelPictures::loadIfShown()
             wanted.resolve(path);
             loaded.paths = wanted.paths();
             loaded.states = statesOf(loaded.paths); // before they are read: a later change is seen then
-            loaded.pictures = wanted.onlyColors ? readPictures(wanted.colors(), loaded.problems, stop.get())
-                                                : readTextureSets(wanted.sets, loaded.problems, stop.get());
+            loaded.pictures =
+                readyForUpload(wanted.onlyColors ? readPictures(wanted.colors(), loaded.problems, stop.get())
+                                                 : readTextureSets(wanted.sets, loaded.problems, stop.get()),
+                               stop.get());
             for (const TextureSetRequest &set : wanted.sets)
                 loaded.haveNormals = loaded.haveNormals || set.channels.contains(TextureChannel::Normal) ||
                                      set.channels.contains(TextureChannel::Height);

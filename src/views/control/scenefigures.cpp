@@ -13,8 +13,9 @@ std::vector<SceneFigures> sceneFigures(const Document &document, SceneKind kind,
     const Scene &scene = document.state().scene;
     std::vector<SceneGroup> groups = sceneGroups(scene, kind);
     const std::vector<int> groupOf = groupOfFaces(groups, scene.mesh->faceCount());
-    const std::vector<metrics::GroupFigures> measured = metrics::groupFigures(
-        *scene.mesh, document.uv(), groupOf, static_cast<int>(groups.size()), distortion);
+    const std::vector<metrics::GroupFigures> measured =
+        metrics::groupFigures(*scene.mesh, document.islands().charts(), document.uv(), groupOf,
+                              static_cast<int>(groups.size()), distortion);
     std::vector<SceneFigures> figures(groups.size());
     for (std::size_t g = 0; g < groups.size(); ++g) {
         SceneFigures &own = figures[g];

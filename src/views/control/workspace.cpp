@@ -1,5 +1,7 @@
 #include "views/control/workspace.h"
 
+#include "views/gl/meshdrawing.h"
+
 #include <QFileInfo>
 
 namespace autocuts {
@@ -16,7 +18,8 @@ Workspace::~Workspace()
 }
 
 void Workspace::open(std::unique_ptr<Document> document, const QString &sessionPath,
-                     std::optional<Journal> journal, const QStringList &notes)
+                     std::optional<Journal> journal, const QStringList &notes,
+                     std::shared_ptr<const MeshDrawing> drawing)
 {
     if (mDocument) {
         mDocument->disconnect(this);
@@ -27,6 +30,7 @@ void Workspace::open(std::unique_ptr<Document> document, const QString &sessionP
     const std::unique_ptr<Document> previous = std::exchange(mDocument, std::move(document));
     mSessionPath = sessionPath;
     mNotes = notes;
+    mDrawing = std::move(drawing);
     mRecovered = false;
     mSaving = 0;
     if (mDocument) {
@@ -36,6 +40,14 @@ void Workspace::open(std::unique_ptr<Document> document, const QString &sessionP
     Q_EMIT documentReplaced();
     Q_EMIT selectionChanged();
     Q_EMIT historyChanged();
+}
+
+const std::shared_ptr<const MeshDrawing> &Workspace::drawing() const
+{
+    const Scene &scene = mDocument->state().scene;
+    if (!mDrawing || mDrawing->mesh != scene.mesh)
+        mDrawing = std::make_shared<const MeshDrawing>(scene.mesh, scene.hardEdges);
+    return mDrawing;
 }
 
 void Workspace::close()

@@ -11,6 +11,8 @@
 
 namespace autocuts {
 
+struct MeshDrawing;
+
 //! Owns the open document, if any. Other parts of the window use the workspace and never keep a document; the
 //! signals of the open document are forwarded here.
 class Workspace final : public QObject
@@ -27,9 +29,11 @@ public:
     //! Replaces the open document without asking.
     //! \param sessionPath the project file of the session; empty when it has none yet
     //! \param journal leads to the beginning of the document's history
-    //! \param notes on the model for the user, one line each
+    //! \param notes on the model for the user, one line each \param drawing of its mesh; null: it is made
+    //! when it is needed
     void open(std::unique_ptr<Document> document, const QString &sessionPath,
-              std::optional<Journal> journal = std::nullopt, const QStringList &notes = {});
+              std::optional<Journal> journal = std::nullopt, const QStringList &notes = {},
+              std::shared_ptr<const MeshDrawing> drawing = nullptr);
     void close();
 
     //! Project file of the session; empty when it was never saved.
@@ -48,6 +52,8 @@ public:
     //! Marks a recovered session, whose content is saved only in the recovery file.
     void setRecovered(bool recovered);
     const QStringList &notes() const { return mNotes; }
+    //! What is drawn of the document's mesh. \pre document()
+    const std::shared_ptr<const MeshDrawing> &drawing() const;
     //! \pre document()
     JournalRecorder &recorder() { return *mRecorder; }
 
@@ -72,6 +78,8 @@ private:
     std::unique_ptr<JournalRecorder> mRecorder;
     QString mSessionPath;
     QStringList mNotes;
+    mutable std::shared_ptr<const MeshDrawing>
+        mDrawing;           //!< null, or of the document's mesh or the one before
     int mSaving = 0;        //!< number of saves under way
     bool mWasSaved = false; //!< before the last save began
     bool mRecovered = false;

@@ -1,8 +1,9 @@
 #include "views/gl/patterntexture.h"
 
+#include <QElapsedTimer>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace autocuts {
 
@@ -40,50 +41,121 @@ std::vector<Texel> tableOf(const Pictures &pictures, int layers)
     return table;
 }
 
-//! The common size of all layers.
-QSize sizeOf(const std::vector<QImage> &images, int layers, int largest)
+std::vector<qint64> keysOf(const Pictures &pictures)
 {
-    QSize size(1, 1);
-    for (const QImage &image : images)
-        size = size.expandedTo(image.size());
-    const double room = Pictures::pixelBudget / layers;
-    const double scale = std::min({1.0, double(largest) / std::max(size.width(), size.height()),
-                                   std::sqrt(room / (double(size.width()) * size.height()))});
-    return scale < 1 ? (QSizeF(size) * scale).toSize().expandedTo({1, 1}) : size;
+    std::vector<qint64> keys;
+    for (const QImage &image : pictures.images)
+        keys.push_back(image.cacheKey());
+    return keys;
 }
+
+//! Pixels that are uploaded at a time. Chosen by hand.
+constexpr int pixelsOfPart = 1 << 18;
 
 } // namespace
 
-void PatternTexture::setPictures(const Pictures &pictures)
+const QImage &PatternTexture::Upload::source() const
 {
-    mTexture.reset();
-    mLayers = pictures.layers;
-    if (pictures.images.empty())
+    const auto place = static_cast<std::size_t>(image);
+    return level == 0 ? pictures.images[place] : pictures.smaller[place][static_cast<std::size_t>(level - 1)];
+}
+
+//! Some rows, from below.
+void PatternTexture::Upload::uploadPart()
+{
+    const QImage &from = source();
+    const int rows = std::clamp(pixelsOfPart / from.width(), 1, from.height() - row);
+    const std::size_t length = 4 * static_cast<std::size_t>(from.width());
+    std::vector<uchar> part(length * static_cast<std::size_t>(rows));
+    for (int y = 0; y < rows; ++y)
+        std::copy_n(from.constScanLine(from.height() - 1 - row - y), length,
+                    part.begin() + static_cast<std::ptrdiff_t>(length) * y);
+    texture->setData(0, row, 0, from.width(), rows, 1, level, image, QOpenGLTexture::RGBA,
+                     QOpenGLTexture::UInt8, part.data());
+    row += rows;
+    if (row < from.height())
         return;
+    row = 0;
+    const std::size_t copies = pictures.smaller.empty() ? 0 : pictures.smaller.front().size();
+    if (++level > static_cast<int>(copies)) {
+        level = 0;
+        ++image;
+    }
+    if (isComplete() && copies == 0)
+        texture->generateMipMaps();
+}
+
+void PatternTexture::allocate(Upload &upload)
+{
     GLint largest = 1024, mostLayers = 256;
     mGl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     mGl.glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &mostLayers);
-    const int layers = std::min(static_cast<int>(pictures.images.size()), mostLayers);
-    const QSize size = sizeOf(pictures.images, layers, largest);
-    mTexture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2DArray);
-    mTexture->setFormat(QOpenGLTexture::RGBA8_UNorm);
-    mTexture->setSize(size.width(), size.height());
-    mTexture->setLayers(layers);
-    mTexture->setMipLevels(mTexture->maximumMipLevels());
-    mTexture->allocateStorage(QOpenGLTexture::RGBA, QOpenGLTexture::UInt8);
-    for (int layer = 0; layer < layers; ++layer) {
-        QImage image = pictures.images[static_cast<std::size_t>(layer)];
+    Pictures &pictures = upload.pictures;
+    if (std::ssize(pictures.images) > mostLayers)
+        pictures.images.resize(static_cast<std::size_t>(mostLayers));
+    const QSize size = commonSize(pictures.images, largest);
+    for (QImage &image : pictures.images) {
         if (image.size() != size)
-            image = image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-        image = image.mirrored().convertToFormat(QImage::Format_RGBA8888);
-        mTexture->setData(0, layer, QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, image.constBits());
+            pictures.smaller.clear();
+        image = readyForUpload(image, size);
     }
-    mTexture->generateMipMaps();
-    mTexture->setMinMagFilters(QOpenGLTexture::LinearMipMapLinear, QOpenGLTexture::Linear);
-    mTexture->setWrapMode(QOpenGLTexture::Repeat);
-    mTexture->setMaximumAnisotropy(8);
-    const std::vector<Texel> table = tableOf(pictures, layers);
-    mTable.fill(std::span<const Texel>(table));
+    if (pictures.smaller.size() < pictures.images.size())
+        pictures.smaller.clear();
+    upload.images = static_cast<int>(pictures.images.size());
+    QOpenGLTexture &texture =
+        *(upload.texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2DArray));
+    texture.setAutoMipMapGenerationEnabled(false);
+    texture.setFormat(QOpenGLTexture::RGBA8_UNorm);
+    texture.setSize(size.width(), size.height());
+    texture.setLayers(upload.images);
+    texture.setMipLevels(texture.maximumMipLevels());
+    texture.allocateStorage(QOpenGLTexture::RGBA, QOpenGLTexture::UInt8);
+    texture.setMinMagFilters(QOpenGLTexture::LinearMipMapLinear, QOpenGLTexture::Linear);
+    texture.setWrapMode(QOpenGLTexture::Repeat);
+    texture.setMaximumAnisotropy(8);
+}
+
+void PatternTexture::begin(const Pictures &pictures, bool keep)
+{
+    mNext = std::make_unique<Upload>();
+    mNext->pictures = pictures;
+    mNext->keys = keysOf(pictures);
+    if (!pictures.images.empty())
+        allocate(*mNext);
+    if (!keep || pictures.images.empty())
+        mTexture.reset();
+}
+
+bool PatternTexture::has(const Pictures &pictures) const
+{
+    return !mNext && mLayers == pictures.layers && mSets == pictures.sets && mImages == keysOf(pictures);
+}
+
+void PatternTexture::goOn(int milliseconds)
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (isBusy()) {
+        mNext->uploadPart();
+        if (clock.elapsed() >= milliseconds)
+            break;
+    }
+}
+
+bool PatternTexture::show()
+{
+    if (!mNext || isBusy())
+        return false;
+    const std::unique_ptr<Upload> shown = std::move(mNext);
+    mTexture = std::move(shown->texture);
+    mLayers = shown->pictures.layers;
+    mImages = shown->keys;
+    mSets = shown->pictures.sets;
+    if (mTexture) {
+        const std::vector<Texel> table = tableOf(shown->pictures, shown->images);
+        mTable.fill(std::span<const Texel>(table));
+    }
+    return true;
 }
 
 void PatternTexture::bind(int pictureUnit, int tableUnit)

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QString>
 
+#include <atomic>
 #include <map>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct Pictures
     int layers = 1;
     std::vector<QImage> images;
     std::vector<Set> sets;
+    //! Of each image, smaller copies for drawing: each has half of the width and height of the one before,
+    //! down to one pixel. Empty: they are made by the graphics driver.
+    std::vector<std::vector<QImage>> smaller = {};
 
     //! One picture that repeats; nothing when the image is null.
     static Pictures of(const QImage &image)
@@ -40,5 +44,14 @@ struct Pictures
         return image.isNull() ? Pictures() : Pictures{1, {image}, {{0, {}}}};
     }
 };
+
+//! The size that all images are scaled to: that of the largest, or what there is room for.
+//! \param largest the longest side that there may be
+QSize commonSize(const std::vector<QImage> &images, int largest);
+//! An image of that size, with the bytes of red, green, blue and alpha, as it is uploaded.
+QImage readyForUpload(const QImage &image, const QSize &size);
+//! The same for all images, with their smaller copies, so that only the upload is left. Takes long.
+//! \param stop ends it early when it becomes true; null: never
+Pictures readyForUpload(Pictures pictures, const std::atomic<bool> *stop = nullptr);
 
 } // namespace autocuts

@@ -20,6 +20,9 @@
 #include <QSpinBox>
 #include <QTreeWidget>
 
+#include <algorithm>
+#include <array>
+
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
@@ -212,7 +215,6 @@ QWidget *PackPanel::makeTiles()
     mTiles->setRootIsDecorated(false);
     mTiles->setUniformRowHeights(true);
     mTiles->setSelectionMode(QAbstractItemView::NoSelection);
-    mTiles->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     mTiles->setMaximumHeight(8 * fontMetrics().height());
     mTiles->hide();
     return mTiles;
@@ -220,16 +222,38 @@ QWidget *PackPanel::makeTiles()
 
 void PackPanel::showTiles(const std::vector<metrics::TileFigures> &tiles, int textureSize)
 {
-    mTiles->clear();
+    QList<QTreeWidgetItem *> rows;
+    std::array<QString, 4> longest;
     for (const metrics::TileFigures &tile : tiles) {
-        auto *row = new QTreeWidgetItem(mTiles, {QString::number(tile.tile), countText(tile.charts),
-                                                 percentText(tile.efficiency),
-                                                 significantText(tile.density * textureSize, 4)});
-        for (int column = 1; column < mTiles->columnCount(); ++column)
-            row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        const QStringList texts{QString::number(tile.tile), countText(tile.charts),
+                                percentText(tile.efficiency), significantText(tile.density * textureSize, 4)};
+        auto *row = new QTreeWidgetItem(texts);
+        for (int column = 0; column < texts.size(); ++column) {
+            QString &widest = longest[static_cast<std::size_t>(column)];
+            if (texts[column].size() > widest.size())
+                widest = texts[column];
+            if (column > 0)
+                row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        }
+        rows << row;
     }
+    mTiles->clear();
+    mTiles->addTopLevelItems(rows);
+    fitTileColumns(longest);
     const bool onlyFirst = tiles.size() == 1 && tiles.front().tile == PackingSettings::firstTile;
     mTiles->setVisible(!tiles.empty() && !onlyFirst);
+}
+
+//! Digits are of one width: measuring every row takes long where there are many.
+void PackPanel::fitTileColumns(std::span<const QString> longest)
+{
+    const int margin = 2 * (mTiles->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, mTiles) + 1);
+    QHeaderView &header = *mTiles->header();
+    for (int column = 0; column < std::ssize(longest); ++column) {
+        const int text =
+            mTiles->fontMetrics().horizontalAdvance(longest[static_cast<std::size_t>(column)]) + margin;
+        header.resizeSection(column, std::max(text, header.sectionSizeHint(column)));
+    }
 }
 
 //! Takes the number of one of the two fields; the other one may not follow the document yet.

@@ -4,6 +4,8 @@
 #include "model/plain/uvfigures.h"
 #include "views/panels/panel.h"
 
+#include <span>
+
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
@@ -34,6 +36,7 @@ private:
     QWidget *makeFigures();
     QWidget *makeTiles();
     void showTiles(const std::vector<metrics::TileFigures> &tiles, int textureSize);
+    void fitTileColumns(std::span<const QString> longest);
     QComboBox *makeTexels(QLatin1StringView name);
     void takeTexels(const QComboBox *field);
     void showSettings(const PackingSettings &settings);
