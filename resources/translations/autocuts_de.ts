@@ -4763,6 +4763,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Tick the box beside it first</source>
         <translation>Zuerst das Kästchen daneben ankreuzen</translation>
     </message>
+    <message>
+        <source>Only filled islands bleed</source>
+        <translation>Nur gefüllte Inseln laufen über ihren Rand hinaus</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden, and no face is selected</source>
+        <translation>Nichts ist ausgeblendet und keine Fläche ausgewählt</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::ExportMeshDialog</name>
@@ -4880,6 +4888,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Its content is lost.</source>
         <translation>Der Inhalt geht verloren.</translation>
+    </message>
+    <message>
+        <source>%1 is still going on. Stop it?</source>
+        <translation>%1 läuft noch. Abbrechen?</translation>
+    </message>
+    <message>
+        <source>What it has found so far will be lost.</source>
+        <translation>Was bisher gefunden wurde, geht verloren.</translation>
+    </message>
+    <message>
+        <source>Stop it</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -5491,6 +5511,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>The 2D cursor; Shift+right click in the UV view places it</source>
         <translation>Der 2D-Cursor; Umschalt+Rechtsklick in der UV-Ansicht setzt ihn</translation>
     </message>
+    <message>
+        <source>The pivot is not the 2D cursor</source>
+        <translation>Der Drehpunkt ist nicht der 2D-Cursor</translation>
+    </message>
+    <message>
+        <source>Select islands that may move first</source>
+        <translation>Wählen Sie zuerst bewegliche Inseln aus</translation>
+    </message>
+    <message>
+        <source>Islands are placed when no solve and no job runs</source>
+        <translation>Inseln lassen sich platzieren, wenn weder der Solver noch eine Aufgabe läuft</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::LightBakeDialog</name>
@@ -5741,6 +5773,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Width of the picture; at first that of the texture in the Packing panel, whose proportions it has</source>
         <translation>Breite des Bildes; zuerst die der Textur im Packen-Bereich, deren Seitenverhältnis es hat</translation>
+    </message>
+    <message>
+        <source>There is no sky</source>
+        <translation>Es gibt keinen Himmel</translation>
+    </message>
+    <message>
+        <source>Only the sky of a day has haze</source>
+        <translation>Nur der Taghimmel hat Dunst</translation>
     </message>
 </context>
 <context>
@@ -6621,6 +6661,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>a list of cuts, uv, sharp, sharp:DEGREES (0 to 180), hard, materials and objects</source>
         <translation>eine Liste aus cuts, uv, sharp, sharp:GRAD (0 bis 180), hard, materials und objects</translation>
+    </message>
+    <message>
+        <source>Finished: no better map was found, it stays as it was</source>
+        <translation>Fertig: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
     </message>
 </context>
 <context>
@@ -7672,6 +7716,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>UV units, or texels of the texture size of the Packing panel</source>
         <translation>UV-Einheiten, oder Texel der Texturgröße aus dem Bedienfeld Packen</translation>
     </message>
+    <message>
+        <source>A hard rectangle is obeyed in any case</source>
+        <translation>Ein hartes Rechteck wird in jedem Fall eingehalten</translation>
+    </message>
+    <message>
+        <source>No faces belong to it</source>
+        <translation>Keine Flächen gehören dazu</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::RectangleTool</name>
@@ -8219,6 +8271,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Seams rather where the model hides them: in folds, between parts, underneath. 0 is no matter where.</source>
         <translation>Nähte eher dort, wo das Modell sie versteckt: in Falten, zwischen Teilen, unten. Bei 0 ist es gleich, wo.</translation>
+    </message>
+    <message>
+        <source>Sharp edges do not count</source>
+        <translation>Scharfe Kanten zählen nicht</translation>
     </message>
 </context>
 <context>
@@ -9390,6 +9446,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>The material has no normal map</source>
         <translation>Das Material hat keine Normal-Map</translation>
     </message>
+    <message>
+        <source>The model has no other material</source>
+        <translation>Das Modell hat kein anderes Material</translation>
+    </message>
+    <message>
+        <source>Nothing else fits this channel</source>
+        <translation>Nichts anderes passt zu diesem Kanal</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::ToolOptionBar</name>
@@ -9639,6 +9703,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of them is solved, which is faster. Stacked: Unwrap also lays islands that are copies on each other. Parts that you cut or join by hand are left out</source>
         <translation>Teile, die Kopien voneinander sind, auch gespiegelte, bekommen dieselben Nähte und Inseln: Nur eines davon wird gelöst, was schneller ist. Gestapelt: Abwickeln legt außerdem Inseln, die Kopien sind, aufeinander. Teile, die Sie von Hand schneiden oder verbinden, sind ausgenommen</translation>
     </message>
+    <message>
+        <source>An organic surface has no flat faces to keep</source>
+        <translation>Eine organische Oberfläche hat keine ebenen Flächen, die zu bewahren wären</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::UvActions</name>
@@ -9672,6 +9740,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>The chosen set is shown and edited; a double-click renames it</source>
         <translation>Der gewählte Satz wird gezeigt und bearbeitet; ein Doppelklick benennt ihn um</translation>
+    </message>
+    <message>
+        <source>A job is running: wait for its end, or cancel it</source>
+        <translation>Eine Aufgabe läuft: warten Sie ihr Ende ab, oder brechen Sie sie ab</translation>
     </message>
 </context>
 <context>
