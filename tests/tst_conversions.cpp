@@ -245,6 +245,19 @@ private Q_SLOTS:
         }
     }
 
+    //! What FBX and Collada say beside a picture is not multiplied by it, as it is in glTF.
+    void picturesReplaceColours()
+    {
+        QVERIFY(saveAtomically(at(u"a.mtl"_s), QByteArray(library).replace("0.8 0.8 0.8", "0.5 0.5 1")).ok());
+        QVERIFY(writeMesh(readMesh(at(u"a.obj"_s)).value(), at(u"a.fbx"_s)).ok());
+        QVERIFY(writeMesh(readMesh(at(u"a.fbx"_s)).value(), at(u"a.glb"_s)).ok());
+        const Json json = gltffiles::jsonOf(loadFile(at(u"a.glb"_s), 1 << 20).value());
+        for (const Json &material : json["materials"]) {
+            const Json &color = material["pbrMetallicRoughness"]["baseColorFactor"];
+            QVERIFY(color == (material["name"] == "painted" ? Json({1, 1, 1, 1}) : Json({1, 0, 0, 1})));
+        }
+    }
+
     //! A library that is not ours is never replaced.
     void materialLibraryOfSomebodyElse()
     {

@@ -252,6 +252,37 @@ private Q_SLOTS:
         QVERIFY(toEigen(scene.mRootNode->FindNode("Armature")->mTransformation).isApprox(centimetres, 1e-6));
     }
 
+    //! Programs refuse files with such names.
+    void namesThatAreNoUtf8InCollada()
+    {
+        const QByteArray fbx =
+            "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\n\tFBXHeaderVersion: 1003\n\tFBXVersion: "
+            "7400\n}\n"
+            "Objects:  {\n\tGeometry: 1, \"Geometry::\", \"Mesh\" {\n\t\tVertices: *9 {\n\t\t\ta: "
+            "0,0,0,1,0,0,1,2,3\n\t\t}\n\t\tPolygonVertexIndex: *3 {\n\t\t\ta: 0,1,-3\n\t\t}\n"
+            "\t\tGeometryVersion: 124\n\t}\n\tModel: 2, \"Model::Face\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n"
+            "\tModel: 3, \"Model::a\xff\xfe\", \"Null\" {\n\t\tVersion: 232\n\t}\n}\n"
+            "Connections:  {\n\tC: \"OO\",3,0\n\tC: \"OO\",2,3\n\tC: \"OO\",1,2\n}\n";
+        QVERIFY(saveAtomically(at(u"n.fbx"_s), fbx).ok());
+        QVERIFY(writeMesh(readMesh(at(u"n.fbx"_s)).value(), at(u"n.dae"_s)).ok());
+        const QByteArray text = loadFile(at(u"n.dae"_s), 1 << 20).value();
+        QVERIFY(text.contains("name=\"a"));
+        QVERIFY(text.isValidUtf8());
+    }
+
+    //! Parts of an object that have one material share it in new Collada files.
+    void partsOfOneMaterial()
+    {
+        gltffiles::FileBuilder file = gltffiles::grid();
+        Json &primitives = file.json["meshes"][0]["primitives"];
+        primitives.push_back(Json(primitives[0]));
+        QVERIFY(convert(file, u"dae"_s));
+        const QByteArray text = loadFile(at(u"r.dae"_s), 1 << 20).value();
+        QCOMPARE(text.count("<geometry "), 1);
+        QCOMPARE(text.count("<polylist "), 2);
+        QCOMPARE(text.count("<instance_material "), 1);
+    }
+
     //! Rigs of files that are read in two ways are found by their faces.
     void verticesCloserThanTheTolerance()
     {

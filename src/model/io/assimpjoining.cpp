@@ -140,9 +140,18 @@ void forEachNode(aiNode &node, const auto &use)
         forEachNode(*node.mChildren[c], use);
 }
 
-std::string symbolOf(std::size_t part)
+//! The first part that has the material of a part.
+std::size_t firstAlike(const std::vector<MaterialPart> &parts, std::size_t part)
 {
-    return part == 0 ? "defaultMaterial" : "material" + std::to_string(part);
+    const auto alike = std::ranges::find(parts, parts[part].material, &MaterialPart::material);
+    return static_cast<std::size_t>(alike - parts.begin());
+}
+
+//! What the polygons of a part call their material.
+std::string symbolOf(const std::vector<MaterialPart> &parts, std::size_t part)
+{
+    const std::size_t first = firstAlike(parts, part);
+    return first == 0 ? "defaultMaterial" : "material" + std::to_string(first);
 }
 
 //! The position behind so many words.
@@ -182,8 +191,8 @@ std::string splitPolygons(const XmlElement &list, const std::vector<MaterialPart
         const std::size_t sizeEnd = behindWords(sizes->content, size, parts[p].faces);
         const std::string_view own = sizes->content.substr(size, sizeEnd - size);
         const std::size_t cornerEnd = behindWords(corners->content, corner, sumOfWords(own));
-        text += "<polylist count=\"" + std::to_string(parts[p].faces) + "\" material=\"" + symbolOf(p) +
-                "\">" + inputs + "<vcount>" + std::string(own) + "</vcount><p>" +
+        text += "<polylist count=\"" + std::to_string(parts[p].faces) + "\" material=\"" +
+                symbolOf(parts, p) + "\">" + inputs + "<vcount>" + std::string(own) + "</vcount><p>" +
                 std::string(corners->content.substr(corner, cornerEnd - corner)) +
                 "</p></polylist>\n        ";
         size = sizeEnd;
@@ -205,8 +214,8 @@ std::string otherMaterials(const XmlElement &first, const std::vector<MaterialPa
 {
     std::string text;
     for (std::size_t p = 1; p < parts.size(); ++p) {
-        if (parts[p].material < materials.size())
-            text += "<instance_material symbol=\"" + symbolOf(p) + "\" target=\"#" +
+        if (firstAlike(parts, p) == p && parts[p].material < materials.size())
+            text += "<instance_material symbol=\"" + symbolOf(parts, p) + "\" target=\"#" +
                     materials[parts[p].material] + "\">" + std::string(first.content) +
                     "</instance_material>";
     }

@@ -78,8 +78,9 @@ QByteArray withUvSetNames(const QByteArray &text, const Scene &scene)
 //! sets and an animation.
 QByteArray colladaBytes(const Scene &scene, const ExportScene &exported, const aiExportDataBlob &blob)
 {
-    const QByteArrayView bytes = bytesOf(blob);
-    const std::string whole = withMaterials({bytes.data(), std::size_t(bytes.size())}, exported.parts());
+    // Names that are no UTF-8 would make a file that programs refuse.
+    const QByteArray bytes = QString::fromUtf8(bytesOf(blob)).toUtf8();
+    const std::string whole = withMaterials({bytes.constData(), std::size_t(bytes.size())}, exported.parts());
     const QByteArray text = withUvSetNames(QByteArray::fromStdString(whole), scene);
     if (const auto *source = dynamic_cast<const AssimpSource *>(scene.source.get()))
         return QByteArray::fromStdString(

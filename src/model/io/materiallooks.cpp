@@ -39,7 +39,9 @@ Vec3 MaterialLooks::color(int material) const
     const bool known = material >= 0 && material < std::ssize(mScene.materialColors);
     const QRgb color = known ? mScene.materialColors[static_cast<std::size_t>(material)] : 0;
     const bool textured = !picture(material, TextureChannel::BaseColor).picture.isEmpty();
-    if (color == 0)
+    // In FBX and Collada a picture takes the place of the colour; elsewhere it is multiplied by it.
+    const bool replaced = mScene.format == QLatin1String("fbx") || mScene.format == QLatin1String("dae");
+    if (color == 0 || (textured && replaced))
         return Vec3::Constant(textured ? 1 : unsaidColor);
     Vec3 result(qRed(color) / 255.0, qGreen(color) / 255.0, qBlue(color) / 255.0);
     if (isGltfFormat(mScene.format)) {
