@@ -324,7 +324,6 @@ void TestCollada::otherTextIsLeftToAssimp()
     QVERIFY(writeMesh(scene, folder.filePath(u"a.dae"_s)).ok());
 }
 
-//! Assimp would make up a mesh of the nodes.
 //! An object with several materials is one object in new files.
 void TestCollada::materialsOfOneObject()
 {
@@ -363,6 +362,7 @@ void TestCollada::materialsOfOneObject()
     QCOMPARE(looks(after), looks(before));
 }
 
+//! Assimp would make up a mesh of the nodes.
 void TestCollada::noMeshesAreAnError()
 {
     const QByteArray lights = R"(<?xml version="1.0" encoding="utf-8"?>

@@ -99,24 +99,19 @@ private Q_SLOTS:
         ShownMap shown(workspace);
         QSignalSpy changed(&shown, &ShownMap::changed), fading(&shown, &ShownMap::ghostChanged);
         double strength = 1;
-        int between = 0;
         connect(&shown, &ShownMap::ghostChanged, this, [&] {
             QCOMPARE(shown.uv(), soupUv(*mesh, after));
             if (shown.ghost().rows() == 0)
                 return;
             QVERIFY(shown.ghostStrength() < strength);
             strength = shown.ghostStrength();
-            between += shown.ghost() != soupUv(*mesh, before) && shown.ghost() != soupUv(*mesh, after);
         });
         shown.showMap(after);
         QCOMPARE(shown.uv(), soupUv(*mesh, after));
         QCOMPARE(shown.ghost(), soupUv(*mesh, before));
         QVERIFY(QTest::qWaitFor([&] { return shown.ghost().rows() == 0; }, test::patience));
-        QVERIFY(between > 0);
+        QVERIFY(!fading.isEmpty());
         QCOMPARE(changed.size(), 1); // the map itself is uploaded once
-        const int ticks = static_cast<int>(fading.size());
-        QTest::qWait(100); // it has ended
-        QCOMPARE(fading.size(), ticks);
     }
 };
 

@@ -160,7 +160,7 @@ private:
     {
         if (mBones.contains(node.mName.C_Str()) || !isAboveBone(node, mBones))
             return;
-        // Before the node's own transform is another one.
+        // pass() has put a transform in front; animations are compared with the node's own.
         const aiMatrix4x4 transform = node.mTransformation;
         if (auto changed = mChanges.before.find(node.mName.C_Str()); changed != mChanges.before.end())
             node.mTransformation = toAssimp(changed->second.inverse()) * transform;

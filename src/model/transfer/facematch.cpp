@@ -57,7 +57,10 @@ public:
                 if (first[vertex] >= 0)
                     continue;
                 first[vertex] = start;
-                eachNear(mMesh.positions.row(vertex), [&](int other, double) { open.push_back(other); });
+                eachNear(mMesh.positions.row(vertex), [&](int other, double) {
+                    if (first[other] < 0)
+                        open.push_back(other);
+                });
             }
         }
         for (int v = 0; v < mMesh.vertexCount(); ++v)
@@ -124,10 +127,22 @@ FaceKey faceKey(const MeshData &mesh, int face, VertexOf &&vertexOf)
     return key;
 }
 
+//! Of faces with the same vertices.
+enum class Several {
+    InOrder, //!< each gets one, the first one of the same object at first
+    None     //!< none is matched, nor faces that have a vertex twice: which one is meant cannot be told
+};
+
+bool hasTwice(std::vector<int> vertices)
+{
+    std::ranges::sort(vertices);
+    return std::ranges::adjacent_find(vertices) != vertices.end();
+}
+
 //! Matches the faces without counterparts that have the same vertices.
 //! \param counterpart for vertices of the old mesh, -1 for none \param same for vertices of the new one
 void matchByVertices(const MeshData &before, const MeshData &after, const std::vector<int> &counterpart,
-                     const std::vector<int> &same, FaceMatch &match)
+                     const std::vector<int> &same, Several several, FaceMatch &match)
 {
     std::vector<bool> taken(static_cast<std::size_t>(after.faceCount()), false);
     for (const int face : match.face) {
@@ -139,6 +154,8 @@ void matchByVertices(const MeshData &before, const MeshData &after, const std::v
         if (taken[f])
             continue;
         FaceKey key = faceKey(after, f, [&](int v) { return same[v]; });
+        if (several == Several::None && hasTwice(key.vertices))
+            continue;
         faces[std::move(key.vertices)].emplace_back(f, key.first);
     }
     for (int f = 0; f < before.faceCount() && !faces.empty(); ++f) {
@@ -146,7 +163,8 @@ void matchByVertices(const MeshData &before, const MeshData &after, const std::v
             continue;
         const FaceKey key = faceKey(before, f, [&](int v) { return counterpart[v]; });
         const auto found = key.vertices.front() < 0 ? faces.end() : faces.find(key.vertices);
-        if (found == faces.end() || found->second.empty())
+        if (found == faces.end() || found->second.empty() ||
+            (several == Several::None && found->second.size() > 1))
             continue;
         auto &candidates = found->second;
         const auto sameObject =
@@ -174,7 +192,7 @@ void matchByPosition(const MeshData &before, const MeshData &after, double relat
         const int weld = before.vertexWeld[v];
         counterpart[v] = weld == v ? grid.nearest(before.positions.row(v)) : counterpart[weld];
     }
-    matchByVertices(before, after, counterpart, after.vertexWeld, match);
+    matchByVertices(before, after, counterpart, after.vertexWeld, Several::InOrder, match);
     if (std::ranges::find(match.face, -1) == match.face.end())
         return;
     // Where vertices of the new mesh are closer to each other than the tolerance, the nearest may be another
@@ -182,7 +200,7 @@ void matchByPosition(const MeshData &before, const MeshData &after, double relat
     const std::vector<int> first = grid.firstOfEqual();
     for (int &vertex : counterpart)
         vertex = vertex < 0 ? vertex : first[vertex];
-    matchByVertices(before, after, counterpart, first, match);
+    matchByVertices(before, after, counterpart, first, Several::None, match);
 }
 
 } // namespace

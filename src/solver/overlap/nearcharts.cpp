@@ -119,7 +119,7 @@ void NearCharts::searchNearest(int segment, double &best) const
     }
 }
 
-void NearCharts::visitNearer(double distance, const std::function<void(int, int)> &visit) const
+void NearCharts::visitNearer(double distance, const std::function<void(int, int, double)> &visit) const
 {
     const double limit = distance * distance;
     std::vector<int> stack;
@@ -134,9 +134,10 @@ void NearCharts::visitNearer(double distance, const std::function<void(int, int)
                 continue;
             for (int k = node.first; k < node.first + node.count; ++k) {
                 const int other = mTree.order()[k];
-                if (other > i && mBorders[other].chart != chart &&
-                    squaredDistance(mBorders[i], mBorders[other]) < limit)
-                    visit(chart, mBorders[other].chart);
+                if (other <= i || mBorders[other].chart == chart)
+                    continue;
+                if (const double squared = squaredDistance(mBorders[i], mBorders[other]); squared < limit)
+                    visit(chart, mBorders[other].chart, std::sqrt(squared));
             }
             if (node.count == 0) {
                 stack.push_back(node.right);

@@ -28,9 +28,9 @@ public:
 
     //! The least distance between two charts, 0 where their borders cross; infinite with fewer than two.
     double smallestDistance() const;
-    //! Calls visit(a, b) for the charts of any two segments that are nearer to each other than a distance.
-    //! The same two charts may come several times.
-    void visitNearer(double distance, const std::function<void(int, int)> &visit) const;
+    //! Calls visit(a, b, distance of the segments) for the charts of any two segments that are nearer to each
+    //! other than a distance. The same two charts may come several times.
+    void visitNearer(double distance, const std::function<void(int, int, double)> &visit) const;
 
 private:
     void searchNearest(int segment, double &best) const;

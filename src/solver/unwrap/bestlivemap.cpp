@@ -152,7 +152,8 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     if (definite::coversItself(soup, map))
         return;
     auto result = std::make_shared<LiveMapResult>();
-    if (isBeaten(map)) {
+    const bool placed = isBeaten(map);
+    if (placed) {
         mStanding.reset();
         result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh, mOptions.dragged,
                                     mProblem.plan().rotation(PackRotation::Free));
@@ -165,7 +166,7 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     result->token = mToken;
     result->hardShare = mProblem.hardShare();
     result->cut = part.wholeCut(map.cut);
-    result->hasRoom = mPlacing.hadRoom();
+    result->hasRoom = !placed || mPlacing.hadRoom();
     result->mirroredArea = mProblem.mirroredArea();
     result->unmet = unmetSteering(whole, result->uv);
     metrics::UvMetricsOptions figures;

@@ -113,20 +113,28 @@ void place(const FinishInput &input, const FreePart &part, NewCharts map, const 
     }
 }
 
-//! True when the map before may stay and is not beaten. A map of islands before and after, which the room in
-//! a full tile can ask for, may be worse than either.
+//! True when each list is at least as long in the other one.
+bool obeysAsMuch(const UnmetSteering &one, const UnmetSteering &other)
+{
+    return one.pins.size() <= other.pins.size() && one.joins.size() <= other.joins.size() &&
+           one.rectangles.size() <= other.rectangles.size() &&
+           one.missingSeams.size() <= other.missingSeams.size() && one.bent.size() <= other.bent.size();
+}
+
+//! True when the map before may stay and is not beaten. Where a tile is full, some islands stay old and some
+//! are new: such a mixture may be worse than both.
 bool gainsNothing(const FinishInput &input, const FreePart &part, const std::shared_ptr<const Soup> &soup,
                   const Snapshot &own, const FinishResult &made, const JobContext &job)
 {
     const Snapshot &snapshot = input.snapshot;
-    if (unmetSteering(snapshot, *snapshot.uv).count() > made.unmet.count())
+    if (!keepsScales(snapshot) || !obeysAsMuch(unmetSteering(snapshot, *snapshot.uv), made.unmet))
         return false;
     const Snapshot problem = preference::SeamPreference().applied(own, job.threads());
-    const std::optional<Candidate> before = standingMap(snapshot, part, soup, problem, input.packing);
+    const std::optional<Candidate> before = standingMap(snapshot, part, soup, problem, input.packing, job);
     if (!before)
         return false;
     const std::optional<Candidate> after = worthOf(part, soup, problem, made.uv);
-    return after && !beats(*after, *before, input.maxDistortion);
+    return made.noRoom || !after || !beats(*after, *before, input.maxDistortion);
 }
 
 //! Takes the map before back when it obeys more joins, or nothing was gained.
@@ -140,7 +148,7 @@ void keepBetterMap(const FinishInput &input, bool nothingGained, FinishResult &r
     options.overlaps = options.gutter = false;
     options.tileHeight = snapshot.tileHeight;
     const metrics::UvMetrics figures = metrics::measureUv(*snapshot.mesh, *snapshot.uv, options);
-    if (figures.facesWithoutUv > 0 || figures.flipped > 0)
+    if (!nothingGained && (figures.facesWithoutUv > 0 || figures.flipped > 0))
         return;
     result.uv = *snapshot.uv;
     result.distortion = figures.tileDirichlet;
@@ -249,7 +257,7 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     place(input, *part, std::move(map), job, result);
     result.unmet = unmetSteering(input.snapshot, result.uv);
     if (!input.live)
-        keepBetterMap(input, gainsNothing(input, *part, soup, own, result, job.unstoppable()), result);
+        keepBetterMap(input, gainsNothing(input, *part, soup, own, result, job), result);
     const std::vector<PairState> &states = input.snapshot.steering->pairState;
     const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
     result.heldTogether = joins && !result.noRoom &&

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -60,7 +61,8 @@ public:
                 return false;
         }
         bool free = true;
-        visitTooNear(uv, [&](int p, int q) { free = free && mRigid.locked[p] && mRigid.locked[q]; });
+        visitNearer(mPack.gap, uv,
+                    [&](int p, int q, double) { free = free && mRigid.locked[p] && mRigid.locked[q]; });
         return free;
     }
 
@@ -95,7 +97,7 @@ public:
                 meet(p, q);
             return true;
         });
-        visitTooNear(uv, meet);
+        visitNearer(mPack.gap, uv, [&](int p, int q, double) { meet(p, q); });
         std::vector<int> order(pieces.count);
         std::iota(order.begin(), order.end(), 0);
         std::stable_sort(order.begin(), order.end(), [&](int p, int q) {
@@ -134,13 +136,33 @@ public:
         return true;
     }
 
-private:
-    //! Calls visit(piece, other) for all pieces that are nearer to each other than the gap.
-    void visitTooNear(const UvMatrix &uv, const std::function<void(int, int)> &visit) const
+    //! See keptGap().
+    double keptGap(const UvMatrix &uv) const
     {
-        if (mPack.gap > 0)
-            overlap::NearCharts(overlap::chartBorders(mMesh, mRigid.pieces, uv))
-                .visitNearer(mPack.gap, visit);
+        constexpr double rounding = 1e-6; // share of the distance
+        const double margin = mPack.options.margin / mPack.options.textureSize;
+        std::map<std::pair<int, int>, double> distances;
+        visitNearer(margin, uv, [&](int p, int q, double distance) {
+            if (mRigid.locked[p] && mRigid.locked[q])
+                return;
+            double &least = distances.try_emplace(std::minmax(p, q), distance).first->second;
+            least = std::min(least, distance);
+        });
+        double gap = margin;
+        for (const auto &[pieces, distance] : distances) {
+            if (distance > 0) // others touch or overlap: on purpose, or they are moved apart
+                gap = std::min(gap, distance);
+        }
+        return (1 - rounding) * gap;
+    }
+
+private:
+    //! Calls visit(piece, other, distance) for all pieces that are nearer to each other than a distance.
+    void visitNearer(double distance, const UvMatrix &uv,
+                     const std::function<void(int, int, double)> &visit) const
+    {
+        if (distance > 0)
+            overlap::NearCharts(overlap::chartBorders(mMesh, mRigid.pieces, uv)).visitNearer(distance, visit);
     }
 
     //! Per piece: true when it is where it belongs before anything is packed. The others are no obstacles.
@@ -349,13 +371,7 @@ PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &opt
 
 double keptGap(const MeshData &mesh, const PackJob &pack, const UvMatrix &before)
 {
-    constexpr double rounding = 1e-6; // share of the distance
-    std::vector<IslandFlags> flags = pack.faceFlags;
-    flags.resize(mesh.faceCount());
-    const ChartMap pieces = rigidPieces(findCharts(mesh, before), flags).pieces;
-    const double nearest =
-        overlap::NearCharts(overlap::chartBorders(mesh, pieces, before)).smallestDistance();
-    return (1 - rounding) * std::min(nearest, pack.options.margin / pack.options.textureSize);
+    return BinPacker(mesh, findCharts(mesh, before), pack).keptGap(before);
 }
 
 bool onlyRectangles(const PackJob &pack)

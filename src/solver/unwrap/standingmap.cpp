@@ -1,6 +1,7 @@
 #include "solver/unwrap/standingmap.h"
 
 #include "model/plain/uvseams.h"
+#include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/packjob.h"
@@ -30,6 +31,15 @@ bool hasClosedCuts(const Snapshot &part)
     return false;
 }
 
+//! What the worth of a map does not measure.
+bool asksForMore(const Snapshot &snapshot, const FreePart &part)
+{
+    const SolveSettings &asked = snapshot.settings;
+    const std::vector<Pin> &pins = snapshot.steering->pins;
+    return asked.symmetry || asked.energy != DistortionEnergy::SymmetricDirichlet ||
+           !snapshot.steering->rectangles.empty() || !std::ranges::all_of(pins, &Pin::hard) || !straight::StraightPlan::of(part.snapshot()).isEmpty();
+}
+
 } // namespace
 
 std::optional<Candidate> worthOf(const FreePart &part, const std::shared_ptr<const Soup> &soup,
@@ -48,15 +58,15 @@ std::optional<Candidate> worthOf(const FreePart &part, const std::shared_ptr<con
 
 std::optional<Candidate> standingMap(const Snapshot &snapshot, const FreePart &part,
                                      const std::shared_ptr<const Soup> &soup, const Snapshot &problem,
-                                     const packing::PackOptions &packing)
+                                     const packing::PackOptions &packing, const JobContext &job)
 {
     const MeshData &mesh = *snapshot.mesh;
-    if (!snapshot.uv || snapshot.settings.symmetry || !snapshot.steering->rectangles.empty() ||
-        !straight::StraightPlan::of(part.snapshot()).isEmpty() || hasClosedCuts(part.snapshot()))
+    if (!snapshot.uv || asksForMore(snapshot, part) || hasClosedCuts(part.snapshot()))
         return std::nullopt;
     const std::vector<bool> misplaced =
-        misplacedFaces(mesh, findCharts(mesh, *snapshot.uv), steeredPackJob(snapshot, packing), *snapshot.uv);
-    if (std::ranges::find(misplaced, true) != misplaced.end())
+        misplacedFaces(mesh, findCharts(mesh, *snapshot.uv), steeredPackJob(snapshot, packing), *snapshot.uv,
+                       job.quiet());
+    if (job.stopped() || std::ranges::find(misplaced, true) != misplaced.end())
         return std::nullopt;
     return worthOf(part, soup, problem, *snapshot.uv);
 }
@@ -74,7 +84,7 @@ bool beats(Candidate map, Candidate standing, double maxDistortion)
     const Ranking ranking(options, job);
     if (ranking.better(map, standing))
         return true;
-    return !ranking.better(standing, map) && map.distortion < standing.distortion - leastGain;
+    return !ranking.better(standing, map) && map.bounded < standing.bounded - leastGain;
 }
 
 } // namespace autocuts::unwrap

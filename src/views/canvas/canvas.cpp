@@ -181,9 +181,10 @@ void Canvas::uploadPictures()
     bool others = shown.show(); // complete since the last turn
     const bool waits = same && mPictured == Pattern::Baked && shown.isBusy() && mPainting;
     if (!waits && std::exchange(mTextureStale, false)) {
-        others = true;
-        if (!same || !shown.has(wantedPictures()))
+        const bool stays = same && shown.has(wantedPictures());
+        if (!stays)
             shown.begin(wantedPictures(), same);
+        others = others || stays || !same; // others are shown only when they are complete
         mUploaded = mPictured;
     }
     if (shown.isBusy())

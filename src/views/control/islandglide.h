@@ -20,6 +20,9 @@ struct OpenedMap
 class IslandGlide
 {
 public:
+    //! Of larger meshes the map before only fades: their buffers take long to fill.
+    static constexpr int mostTriangles = 100'000;
+
     //! \pre both maps are of this mesh
     IslandGlide(const MeshData &mesh, const OpenedMap &before, const OpenedMap &after);
 

@@ -11,8 +11,10 @@ namespace autocuts {
 namespace {
 
 //! What takes long of a document that was read, on the thread that reads it.
-std::shared_ptr<const MeshDrawing> prepared(const Document &document)
+std::shared_ptr<const MeshDrawing> prepared(const Document &document, const std::atomic<bool> &stop)
 {
+    if (stop)
+        return nullptr;
     (void)document.islands(); // cached
     const Scene &scene = document.state().scene;
     return std::make_shared<const MeshDrawing>(scene.mesh, scene.hardEdges);
@@ -30,7 +32,7 @@ Result<LoadedSession> loadSession(const QString &path, QThread *thread, const st
         restoredSession(std::move(project->state), std::move(project->extras.journal), thread, &stop),
         notes,
         {}};
-    loaded.drawing = prepared(*loaded.session.document);
+    loaded.drawing = prepared(*loaded.session.document, stop);
     return loaded;
 }
 
@@ -62,7 +64,7 @@ Result<NewDocument> readModel(const QString &path, const PreferenceValues &prefe
     Result<NewDocument> made = newDocument(std::move(scene).value(), preferences);
     if (!made)
         return made;
-    made->drawing = prepared(*made->document);
+    made->drawing = prepared(*made->document, stop);
     made->document->undoStack().moveToThread(thread);
     made->document->moveToThread(thread);
     return made;

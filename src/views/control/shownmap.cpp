@@ -73,7 +73,8 @@ void ShownMap::showMap(const UvMatrix &map, UvMatrix ghost)
     mUv = std::move(shown);
     if (fades) {
         mNextGhost = std::move(ghost);
-        mGlide.emplace(mesh, OpenedMap{before, separationBefore}, OpenedMap{mUv, mSeparation});
+        if (mesh.triangleCount() <= IslandGlide::mostTriangles)
+            mGlide.emplace(mesh, OpenedMap{before, separationBefore}, OpenedMap{mUv, mSeparation});
         mFadingSince.start();
         mFading.start();
     }
@@ -100,6 +101,8 @@ void ShownMap::setLive(bool soup, std::vector<float> separation, UvMatrix ghost)
 void ShownMap::fade()
 {
     const double share = double(mFadingSince.elapsed()) / fadingTime;
+    if (share < 1 && !mGlide)
+        return;
     if (share < 1) {
         mGhost = mGlide->at(share);
         mGhostStrength = 1 - share;
