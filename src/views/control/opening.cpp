@@ -13,7 +13,8 @@ namespace {
 //! What takes long of a document that was read, on the thread that reads it.
 std::shared_ptr<const MeshDrawing> prepared(const Document &document)
 {
-    (void)document.islands(); // cached
+    (void)document.islands(); // cached, like the next
+    (void)document.adjacency();
     const Scene &scene = document.state().scene;
     return std::make_shared<const MeshDrawing>(scene.mesh, scene.hardEdges);
 }
