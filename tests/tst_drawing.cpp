@@ -234,11 +234,11 @@ private Q_SLOTS:
         mStudio->shown.showSoup(UvMatrix::Random(mesh.soupCornerCount(), 2),
                                 std::vector<float>(mesh.cornerPairCount(), 0.2f));
         const int live = Content::Uvs | Content::Faces | Content::Sides;
-        expect(live, live | Content::Points);
+        expect(live, live | Content::Points | Content::Ghost);
         QVERIFY(model.ghostUvs().empty());
         QCOMPARE(map.ghostUvs().size(), map.uvs().size());
         mStudio->shown.showDocument();
-        expect(live, live | Content::Points);
+        expect(live, live | Content::Points | Content::Ghost);
         QVERIFY(map.ghostUvs().empty());
     }
 

@@ -5,9 +5,12 @@
 #include "views/canvas/uvview.h"
 #include "views/control/modelpictures.h"
 #include "views/panels/noticebar.h"
+#include "views/ui/pooltask.h"
 
 #include <QComboBox>
 #include <QLabel>
+#include <QScopeGuard>
+#include <QSemaphore>
 #include <QSignalSpy>
 
 using namespace autocuts;
@@ -177,6 +180,43 @@ private Q_SLOTS:
             desk.press(Qt::Key_T);
         QCOMPARE(desk.pattern(), Pattern::Materials);
         QCOMPARE(desk.noticed.count(), 1);
+    }
+
+    //! Neither the next model nor the one before it gets pictures that were still being read.
+    void anotherModelIsOpenedMeanwhile()
+    {
+        Desk desk;
+        desk.put("m.obj", quads());
+        desk.put("m.mtl", "newmtl first\nmap_Kd red.png\n");
+        fill(desk.at("red.png"), red, 1024);
+        QVERIFY(desk.open("m.obj"));
+        QVERIFY(isNear(desk.onModel(0), red));
+        QVERIFY(QDir(desk.folder.path()).mkdir(u"other"_s));
+        desk.put("other/n.obj", QByteArray(quads()).replace("m.mtl", "n.mtl"));
+        desk.put("other/n.mtl", "newmtl first\nmap_Kd blue.png\n");
+        fill(desk.at("other/blue.png"), blue, 512);
+        QThreadPool &pool = backgroundPool();
+        const auto hold = std::make_shared<QSemaphore>();
+        const auto opened = [&](const char *name) {
+            desk.context.files.open(desk.at(name));
+            return QTest::qWaitFor(
+                [&] { return desk.jobsRest() && desk.document()->state().scene.path == desk.at(name); },
+                test::patience);
+        };
+        for (int t = 0; t < pool.maxThreadCount(); ++t)
+            pool.start([hold] { hold->acquire(); });
+        auto release = qScopeGuard([&] { hold->release(pool.maxThreadCount()); });
+        for (const char *name : {"other/n.obj", "m.obj", "other/n.obj"}) {
+            QVERIFY(opened(name));
+            QCoreApplication::processEvents();
+            QVERIFY(!isNear(desk.onModel(0), red) && !isNear(desk.onModel(0), blue));
+        }
+        release.dismiss();
+        hold->release(pool.maxThreadCount());
+        QTRY_VERIFY(!desk.context.pictures.isLoading());
+        QVERIFY(isNear(desk.onModel(0), blue));
+        QCoreApplication::processEvents();
+        QVERIFY(isNear(desk.onModel(0), blue) && !isNear(desk.onModel(1), red));
     }
 
     void aPreferenceLeavesThemOut()
