@@ -386,8 +386,74 @@ private Q_SLOTS:
             QVERIFY2(after.seamNorm <= before.seamNorm || after.symDirichlet <= before.symDirichlet,
                      qPrintable(u"round %1: %2 to %3"_s.arg(round).arg(before.seamNorm).arg(after.seamNorm)));
             QCOMPARE(made.nothingGained, made.uv == uv);
+            QCOMPARE(made.nothingGained, round == 1);
             uv = made.uv;
         }
+    }
+
+    //! A map that Finish cannot better stays, but not where something else is asked for.
+    void whatIsAskedForAnewIsDone()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::sphere(10, 12);
+        snapshot.keepTiles = true;
+        const auto finish = [&](double maxDistortion) {
+            snapshot.uvScale = layoutScale(*snapshot.mesh, *snapshot.uv);
+            return unwrap::finishMap({.snapshot = snapshot, .maxDistortion = maxDistortion});
+        };
+        constexpr double bound = 4.1;
+        UvMatrix uv = unwrap::unwrapMesh(snapshot, {}).uv;
+        unwrap::FinishResult made;
+        for (int round = 0; round < 4 && !made.nothingGained; ++round) {
+            snapshot.uv = std::make_shared<const UvMatrix>(uv);
+            made = finish(bound);
+            uv = made.uv;
+        }
+        QVERIFY(made.nothingGained);
+        QVERIFY(uv == *snapshot.uv);
+        made = finish(4.05);
+        QVERIFY(!made.nothingGained);
+        QVERIFY(made.distortion <= 4.05);
+        const Snapshot before = snapshot;
+        const Vec2 place = Vec2(uv.row(snapshot.mesh->cornerOfSoup(0))) / snapshot.uvScale;
+        snapshot.editSteering().pins.push_back({0, place + Vec2(0.2, 0), false, 100});
+        made = finish(bound);
+        QVERIFY(!made.nothingGained);
+        QVERIFY(made.uv != uv);
+        snapshot = before;
+        snapshot.settings.energy = DistortionEnergy::Amips;
+        QVERIFY(!finish(bound).nothingGained);
+    }
+
+    //! The islands of a map in a plain file get one texel density.
+    void plainFilesGetOneDensity()
+    {
+        const Rectangles layout({{0.1, 0.1, 0.3, 0.3}, {0.6, 0.1, 0.3, 0.3}});
+        Snapshot snapshot;
+        snapshot.mesh = layout.mesh;
+        UvMatrix uv = layout.uv;
+        for (int c = 0; c < 4; ++c)
+            uv.row(c) *= 0.5;
+        snapshot.uv = std::make_shared<const UvMatrix>(uv);
+        snapshot.uvScale = layoutScale(*layout.mesh, uv);
+        const UvMatrix after = unwrap::finishMap({.snapshot = snapshot}).uv;
+        const auto side = [&](int corner) { return (after.row(corner + 1) - after.row(corner)).norm(); };
+        QVERIFY2(std::abs(side(0) / side(4) - 1) < 1e-6,
+                 qPrintable(u"%1 and %2"_s.arg(side(0)).arg(side(4))));
+    }
+
+    //! Islands that touch do not end the margins of the others.
+    void touchingIslandsKeepNoMargin()
+    {
+        // Two that touch, and two at half of the margin.
+        const double margin = packing::PackOptions().margin / packing::PackOptions().textureSize;
+        const Rectangles layout({{0.1, 0.1, 0.2, 0.2},
+                                 {0.3, 0.1, 0.2, 0.2},
+                                 {0.1, 0.5, 0.2, 0.2},
+                                 {0.3 + margin / 2, 0.5, 0.2, 0.2}});
+        const unwrap::PackJob pack;
+        const double gap = unwrap::keptGap(*layout.mesh, pack, layout.uv);
+        QVERIFY2(std::abs(gap / margin - 0.5) < 1e-5, qPrintable(QString::number(gap / margin)));
     }
 
     //! A live map that has no room makes all islands of the tile smaller; when the next one fits again, it is

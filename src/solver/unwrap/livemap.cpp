@@ -175,8 +175,8 @@ void LiveMap::findFirst(const JobContext &job)
         return;
     }
     if (mFromMap && mSnapshot->uv && unmetSteering(*mSnapshot, *mSnapshot->uv).empty())
-        mBest.setStanding(
-            standingMap(*mSnapshot, mProblem.part(), mProblem.soup(), mProblem.problem(), mOptions.packing, job));
+        mBest.setStanding(standingMap(*mSnapshot, mProblem.part(), mProblem.soup(), mProblem.problem(),
+                                      mOptions.packing, job));
     if (mFromMap && mProblem.problem().uv && startFromMap(*mProblem.problem().uv, job)) {
         mExplored = true; // its seams are what the user has
         mStage = Stage::Improve;

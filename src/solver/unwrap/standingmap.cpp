@@ -37,7 +37,8 @@ bool asksForMore(const Snapshot &snapshot, const FreePart &part)
     const SolveSettings &asked = snapshot.settings;
     const std::vector<Pin> &pins = snapshot.steering->pins;
     return asked.symmetry || asked.energy != DistortionEnergy::SymmetricDirichlet ||
-           !snapshot.steering->rectangles.empty() || !std::ranges::all_of(pins, &Pin::hard) || !straight::StraightPlan::of(part.snapshot()).isEmpty();
+           !snapshot.steering->rectangles.empty() || !std::ranges::all_of(pins, &Pin::hard) ||
+           !straight::StraightPlan::of(part.snapshot()).isEmpty();
 }
 
 } // namespace
@@ -63,9 +64,8 @@ std::optional<Candidate> standingMap(const Snapshot &snapshot, const FreePart &p
     const MeshData &mesh = *snapshot.mesh;
     if (!snapshot.uv || asksForMore(snapshot, part) || hasClosedCuts(part.snapshot()))
         return std::nullopt;
-    const std::vector<bool> misplaced =
-        misplacedFaces(mesh, findCharts(mesh, *snapshot.uv), steeredPackJob(snapshot, packing), *snapshot.uv,
-                       job.quiet());
+    const std::vector<bool> misplaced = misplacedFaces(
+        mesh, findCharts(mesh, *snapshot.uv), steeredPackJob(snapshot, packing), *snapshot.uv, job.quiet());
     if (job.stopped() || std::ranges::find(misplaced, true) != misplaced.end())
         return std::nullopt;
     return worthOf(part, soup, problem, *snapshot.uv);

@@ -15,12 +15,11 @@ namespace autocuts::unwrap {
 
 //! What the snapshot's map is worth, if it may stay: it is valid, its islands are where they belong, edges
 //! are open that are to be cut, and nothing is asked for that the worth does not measure: straight lines,
-//! symmetry, another energy, soft pins and rectangles. Whether it obeys everything else, unmetSteering() tells. Nothing when stopped.
-[[nodiscard]] std::optional<Candidate> standingMap(const Snapshot &snapshot, const FreePart &part,
-                                                   const std::shared_ptr<const Soup> &soup,
-                                                   const Snapshot &problem,
-                                                   const packing::PackOptions &packing,
-                                                   const JobContext &job = {});
+//! symmetry, another energy, soft pins and rectangles. Whether it obeys everything else, unmetSteering()
+//! tells. Nothing when stopped.
+[[nodiscard]] std::optional<Candidate>
+standingMap(const Snapshot &snapshot, const FreePart &part, const std::shared_ptr<const Soup> &soup,
+            const Snapshot &problem, const packing::PackOptions &packing, const JobContext &job = {});
 
 //! True when a map is better: it has cheaper seams within the bound, or the same and clearly less distortion.
 [[nodiscard]] bool beats(Candidate map, Candidate standing, double maxDistortion);
