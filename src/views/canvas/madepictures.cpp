@@ -38,9 +38,9 @@ std::shared_ptr<MadePictures::Making> MadePictures::making(const QString &key, c
     static std::map<QString, std::weak_ptr<Making>> known;
     std::erase_if(known, [](const auto &entry) { return entry.second.expired(); });
     std::weak_ptr<Making> &place = known[key];
-    if (const std::shared_ptr<Making> same = place.lock())
+    if (std::shared_ptr<Making> same = place.lock())
         return same;
-    const auto own = std::make_shared<Making>();
+    auto own = std::make_shared<Making>();
     place = own;
     const auto take = [wanted = std::weak_ptr(own)](const Pictures &pictures) {
         if (const std::shared_ptr<Making> still = wanted.lock())
