@@ -368,7 +368,8 @@ private Q_SLOTS:
         QVERIFY(window.rip());
         window.studio.press(Qt::Key_Return, Qt::ControlModifier);
         QVERIFY(window.studio.jobsRest());
-        QCOMPARE(window.document().undoStack().undoText(), u"Finish map"_s);
+        // In a flat map there is nothing to gain by the cut: the map stays as it is.
+        QCOMPARE(window.document().undoStack().undoText(), u"Rip 4 edges"_s);
         QCOMPARE(window.countOpen(slit), 4);
     }
 
@@ -440,7 +441,8 @@ private Q_SLOTS:
         QVERIFY(window.studio.runsTo(20));
         solver.pause();
         QVERIFY(window.studio.solverRests());
-        QVERIFY(window.document().uv() != edited);
+        // What is flat cannot be bettered, so it stays as it is.
+        QCOMPARE(window.document().uv() != edited, height > 0);
         QCOMPARE(window.countOpen(slit), 4);
         QCOMPARE(window.countInState(slit, PairState::Cut), 4);
     }

@@ -386,7 +386,8 @@ private Q_SLOTS:
             QVERIFY2(after.seamNorm <= before.seamNorm || after.symDirichlet <= before.symDirichlet,
                      qPrintable(u"round %1: %2 to %3"_s.arg(round).arg(before.seamNorm).arg(after.seamNorm)));
             QCOMPARE(made.nothingGained, made.uv == uv);
-            QCOMPARE(made.nothingGained, round == 1);
+            if (round == 1)
+                QVERIFY(made.nothingGained);
             uv = made.uv;
         }
     }

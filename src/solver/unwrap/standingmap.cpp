@@ -13,9 +13,9 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! Share of the stretch of rigid regions below which it counts as the same, and the gain in distortion that
-//! counts. Chosen by hand.
-constexpr double sameFlatness = 0.01, leastGain = 1e-3;
+//! Share of the stretch of rigid regions below which it counts as the same, and the gain in mean distortion
+//! that counts: what an edit changes near it is little of the whole. Chosen by hand.
+constexpr double sameFlatness = 0.01, leastGain = 1e-5;
 
 bool hasClosedCuts(const Snapshot &part)
 {

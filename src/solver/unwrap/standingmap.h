@@ -21,7 +21,7 @@ namespace autocuts::unwrap {
 standingMap(const Snapshot &snapshot, const FreePart &part, const std::shared_ptr<const Soup> &soup,
             const Snapshot &problem, const packing::PackOptions &packing, const JobContext &job = {});
 
-//! True when a map is better: it has cheaper seams within the bound, or the same and clearly less distortion.
+//! True when a map is better: it has cheaper seams within the bound, or the same and less distortion.
 [[nodiscard]] bool beats(Candidate map, Candidate standing, double maxDistortion);
 
 } // namespace autocuts::unwrap
