@@ -444,7 +444,7 @@ private Q_SLOTS:
     }
 
     //! Islands that touch do not end the margins of the others.
-    void touchingIslandsKeepNoMargin()
+    void touchingIslandsLeaveOthersTheirMargin()
     {
         // Two that touch, and two at half of the margin.
         const double margin = packing::PackOptions().margin / packing::PackOptions().textureSize;

@@ -1,7 +1,9 @@
-// Test whether two segments cross. Plain: no Qt.
+// Segments in the plane: whether they cross, and how far a point is from one. Plain: no Qt.
 #pragma once
 
 #include "model/plain/types.h"
+
+#include <algorithm>
 
 namespace autocuts {
 
@@ -11,6 +13,15 @@ inline bool segmentsCross(const Vec2 &a, const Vec2 &b, const Vec2 &c, const Vec
 {
     const auto opposite = [](double s, double t) { return (s > 0 && t < 0) || (s < 0 && t > 0); };
     return opposite(cross2(a, b, c), cross2(a, b, d)) && opposite(cross2(c, d, a), cross2(c, d, b));
+}
+
+//! Squared distance of p to the segment a, b.
+inline double pointSegmentSquared(const Vec2 &p, const Vec2 &a, const Vec2 &b)
+{
+    const Vec2 d = b - a, q = p - a;
+    const double length = d.squaredNorm();
+    const double t = length > 0 ? std::min(1.0, std::max(0.0, q.dot(d) / length)) : 0;
+    return (q - t * d).squaredNorm();
 }
 
 } // namespace autocuts

@@ -11,20 +11,12 @@ namespace autocuts::overlap {
 
 namespace {
 
-double squaredDistance(const Vec2 &point, const BorderSegment &segment)
-{
-    const Vec2 along = segment.to - segment.from;
-    const double length = along.squaredNorm();
-    const double place = length > 0 ? std::clamp((point - segment.from).dot(along) / length, 0.0, 1.0) : 0.0;
-    return (point - segment.from - place * along).squaredNorm();
-}
-
 double squaredDistance(const BorderSegment &a, const BorderSegment &b)
 {
     if (segmentsCross(a.from, a.to, b.from, b.to))
         return 0;
-    return std::min({squaredDistance(a.from, b), squaredDistance(a.to, b), squaredDistance(b.from, a),
-                     squaredDistance(b.to, a)});
+    return std::min({pointSegmentSquared(a.from, b.from, b.to), pointSegmentSquared(a.to, b.from, b.to),
+                     pointSegmentSquared(b.from, a.from, a.to), pointSegmentSquared(b.to, a.from, a.to)});
 }
 
 std::vector<Eigen::AlignedBox2d> boxesOf(const std::vector<BorderSegment> &borders)

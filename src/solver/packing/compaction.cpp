@@ -1,5 +1,7 @@
 #include "solver/packing/compaction.h"
 
+#include "solver/base/segmentcrossing.h"
+
 #include <algorithm>
 
 namespace autocuts::packing {

@@ -1,5 +1,6 @@
 #include "solver/packing/distancefield.h"
 
+#include "solver/base/segmentcrossing.h"
 #include "solver/packing/segmentgrid.h"
 
 #include <algorithm>

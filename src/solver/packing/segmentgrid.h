@@ -61,13 +61,4 @@ bool SegmentGrid::visitCellsOf(const Eigen::AlignedBox2d &box, Visit visit) cons
     return true;
 }
 
-//! Squared distance of p to the segment a, b.
-inline double pointSegmentSquared(const Vec2 &p, const Vec2 &a, const Vec2 &b)
-{
-    const Vec2 d = b - a, q = p - a;
-    const double length = d.squaredNorm();
-    const double t = length > 0 ? std::min(1.0, std::max(0.0, q.dot(d) / length)) : 0;
-    return (q - t * d).squaredNorm();
-}
-
 } // namespace autocuts::packing

@@ -1,7 +1,7 @@
 #include "views/control/islandglide.h"
 
-#include "model/plain/unionfind.h"
 #include "solver/base/rigidfit.h"
+#include "views/gl/soupbuffers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,17 +18,6 @@ bool isOpen(const OpenedMap &map, std::size_t edgePair)
     return std::max(map.separation[2 * edgePair], map.separation[2 * edgePair + 1]) >= 0.5f;
 }
 
-//! The island of each triangle in a map, and their number.
-std::pair<std::vector<int>, int> islandsOf(const MeshData &mesh, const OpenedMap &map)
-{
-    UnionFind sets(mesh.triangleCount());
-    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
-        if (!isOpen(map, e))
-            sets.unite(mesh.edgePairs[e].triangle[0], mesh.edgePairs[e].triangle[1]);
-    }
-    return sets.labels();
-}
-
 Vec2 centreOf(const UvMatrix &uv, const std::vector<int> &triangles)
 {
     Vec2 sum = Vec2::Zero();
@@ -42,17 +31,20 @@ Vec2 centreOf(const UvMatrix &uv, const std::vector<int> &triangles)
 IslandGlide::IslandGlide(const MeshData &mesh, const OpenedMap &before, const OpenedMap &after)
     : mBefore(before.uv), mMotionOf(mesh.triangleCount(), -1)
 {
-    const auto [islandOf, count] = islandsOf(mesh, after);
+    const std::vector<int> islands = liveIslands(mesh, after.separation);
+    const auto islandOf = [&](int triangle) { return islands[mesh.triangleFace[triangle]]; };
+    const int count = islands.empty() ? 0 : *std::ranges::max_element(islands) + 1;
     std::vector<bool> stayed(count, true);
     for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
-        if (isOpen(before, e) != isOpen(after, e))
-            stayed[islandOf[mesh.edgePairs[e].triangle[0]]] =
-                stayed[islandOf[mesh.edgePairs[e].triangle[1]]] = false;
+        if (isOpen(before, e) == isOpen(after, e))
+            continue;
+        for (const int triangle : mesh.edgePairs[e].triangle)
+            stayed[islandOf(triangle)] = false;
     }
     std::vector<std::vector<int>> trianglesOf(count);
     for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (stayed[islandOf[t]])
-            trianglesOf[islandOf[t]].push_back(t);
+        if (stayed[islandOf(t)])
+            trianglesOf[islandOf(t)].push_back(t);
     }
     for (const std::vector<int> &triangles : trianglesOf) {
         if (triangles.empty())

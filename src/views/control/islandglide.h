@@ -20,7 +20,7 @@ struct OpenedMap
 class IslandGlide
 {
 public:
-    //! Of larger meshes the map before only fades: their buffers take long to fill.
+    //! On larger meshes the map before only shines through for as long: their buffers take long to fill.
     static constexpr int mostTriangles = 100'000;
 
     //! \pre both maps are of this mesh

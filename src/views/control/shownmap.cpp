@@ -101,14 +101,14 @@ void ShownMap::setLive(bool soup, std::vector<float> separation, UvMatrix ghost)
 void ShownMap::fade()
 {
     const double share = double(mFadingSince.elapsed()) / fadingTime;
-    if (share < 1 && !mGlide)
-        return;
-    if (share < 1) {
+    if (share >= 1) {
+        mGhost = std::exchange(mNextGhost, {});
+        stopFading();
+    } else if (mGlide) {
         mGhost = mGlide->at(share);
         mGhostStrength = 1 - share;
     } else {
-        mGhost = std::exchange(mNextGhost, {});
-        stopFading();
+        return; // a large map: it stays as it is until the end
     }
     Q_EMIT ghostChanged();
 }
