@@ -197,20 +197,31 @@ void TestDocument::everyFieldIsCompared()
 void TestDocument::islandsFollowTheUvs()
 {
     const auto document = test::layoutDocument(test::grid(4));
+    const auto soupFollows = [&] {
+        const SoupMap soup = SoupMap::of(document->mesh(), document->uv());
+        const SoupMap &cached = document->soupMap();
+        return cached.open == soup.open && cached.uv.rows() == soup.uv.rows() &&
+               std::memcmp(cached.uv.data(), soup.uv.data(), sizeof(double) * soup.uv.size()) == 0;
+    };
     QCOMPARE(document->islands().count(), 2);
+    QVERIFY(soupFollows());
     UvMatrix uv = document->uv();
     for (int c = 0; c < 4; ++c)
         uv(c, 1) -= 3; // tears off the first face
     pushCommand(std::make_unique<SetUvs>(*document, UvEdit::Drag, uv));
     QCOMPARE(document->islands().count(), 3);
     QCOMPARE(document->islands().faces(0), std::vector<int>{0});
+    QVERIFY(soupFollows());
     document->undoStack().undo();
     QCOMPARE(document->islands().count(), 2);
+    QVERIFY(soupFollows());
     pushCommand(std::make_unique<ChooseUvSet>(*document, 1));
     QCOMPARE(document->islands().count(), 0);
     QCOMPARE(document->islands().islandOfFace(3), -1);
+    QVERIFY(soupFollows());
     pushCommand(std::make_unique<DeleteUvSet>(*document, 1));
     QCOMPARE(document->islands().count(), 2);
+    QVERIFY(soupFollows());
 }
 
 void TestDocument::marksSurviveCuttingAndJoining()

@@ -18,11 +18,13 @@
 #include <QPicture>
 #include <QResizeEvent>
 #include <QSemaphore>
+#include <QSignalSpy>
 #include <QStyledItemDelegate>
 #include <QTest>
 #include <QThread>
 #include <QTreeWidget>
 
+#include <bit>
 #include <future>
 
 using namespace autocuts;
@@ -301,6 +303,38 @@ private Q_SLOTS:
         options.pattern = Pattern::Lettered;
         studio.view.setOptions(options); // still there
         QVERIFY(studio.mesh.picture() != plainModel);
+    }
+
+    //! The arrays of a large mesh are not all made in one turn. A picture has all of them.
+    void largeMeshesAreUpdatedInTurns()
+    {
+        Canvases studio;
+        const test::MeshPtr small = test::grid(4), large = test::grid(230);
+        QVERIFY(large->triangleCount() > SceneContent::mostTrianglesAtOnce);
+        SceneContent content(studio.context, true);
+        const QSignalSpy changed(&content, &SceneContent::changed);
+        studio.open(test::layoutDocument(small));
+        QCOMPARE(content.refresh(SceneContent::Amount::OneOfLarge), int(SceneContent::AllParts));
+        QVERIFY(content.isUpToDate() && content.canBeDrawn());
+        studio.open(test::layoutDocument(large));
+        int updated = 0;
+        for (qsizetype before = changed.count(); !content.isUpToDate(); before = changed.count()) {
+            QVERIFY(!content.canBeDrawn());
+            const int part = content.refresh(SceneContent::Amount::OneOfLarge);
+            QCOMPARE(std::popcount(unsigned(part)), 1);
+            QCOMPARE(updated & part, 0);
+            updated |= part;
+            QCOMPARE(changed.count() - before, content.isUpToDate() ? 0 : 1);
+        }
+        QCOMPARE(updated, int(SceneContent::AllParts));
+        QVERIFY(content.canBeDrawn());
+        QCOMPARE(content.sides().size(), std::size_t(large->soupCornerCount()));
+        content.markAll();
+        QCOMPARE(content.refresh(), int(SceneContent::AllParts));
+        const QImage empty = studio.mesh.picture();
+        studio.lookFromFront();
+        QVERIFY(!empty.isNull() && studio.mesh.picture() != empty);
+        QTRY_VERIFY(studio.mesh.content().isUpToDate() && studio.uv.content().isUpToDate()); // the window
     }
 
     //! What takes long of a model is done where it is read.

@@ -90,6 +90,20 @@ const Islands &Document::islands() const
     return *mIslands;
 }
 
+const SoupMap &Document::soupMap() const
+{
+    if (!mSoupMap)
+        mSoupMap = std::make_unique<const SoupMap>(SoupMap::of(mesh(), uv()));
+    return *mSoupMap;
+}
+
+//! Of what is cached, what depends on the active map.
+void Document::forgetMap()
+{
+    mIslands.reset();
+    mSoupMap.reset();
+}
+
 std::vector<double> Document::texelWeights() const
 {
     return mState.texelWeights.empty()
@@ -189,7 +203,7 @@ void Document::setUvs(int uvSet, const IndexRanges &corners, const UvMatrix &val
     if (changedCorners.isEmpty())
         return;
     if (uvSet == mState.activeUvSet)
-        mIslands.reset();
+        forgetMap();
     announce(UvEvent(uvSet, UvEvent::Values, std::move(changedCorners)));
 }
 
@@ -218,7 +232,7 @@ void Document::removeUvSet(int index)
     if (index < mState.activeUvSet || mState.activeUvSet == static_cast<int>(uvSets().size()))
         --mState.activeUvSet;
     if (wasActive)
-        mIslands.reset();
+        forgetMap();
     announce(UvSetEvent(UvSetEvent::Change::Removed, index));
     if (wasActive)
         announce(UvSetEvent(UvSetEvent::Change::Activated, mState.activeUvSet));
@@ -237,7 +251,7 @@ void Document::setActiveUvSet(int index)
     if (index == mState.activeUvSet)
         return;
     mState.activeUvSet = index;
-    mIslands.reset();
+    forgetMap();
     announce(UvSetEvent(UvSetEvent::Change::Activated, index));
 }
 
@@ -246,7 +260,7 @@ void Document::exchangeModel(OtherModel &other)
     std::swap(mState, other.state);
     std::swap(mState.viewState, other.state.viewState);
     std::swap(mAdjacency, other.adjacency);
-    mIslands.reset();
+    forgetMap();
     mWeightedMesh.reset();
     findHidden();
     announce(ModelEvent());

@@ -7,6 +7,7 @@
 #include "model/document/undostack.h"
 #include "model/plain/meshadjacency.h"
 #include "model/plain/statetoken.h"
+#include "model/plain/uvseams.h"
 
 #include <QObject>
 
@@ -58,6 +59,8 @@ public:
 
     //! The islands of the active set, cached until the UVs change.
     const Islands &islands() const;
+    //! The map of the active set triangle by triangle, cached until the UVs change.
+    const SoupMap &soupMap() const;
     //! The given seams of the active set, per edge pair, cached until they may change; empty for
     //! SeamMode::Free.
     const std::vector<bool> &givenSeams() const;
@@ -125,12 +128,14 @@ private:
     void announce(const ChangeEvent &event);
 
     void findHidden();
+    void forgetMap();
 
     DocumentState mState;
     std::vector<bool> mHidden; //!< DocumentState::hiddenFaces
     UndoStack mUndoStack;
     StateToken mToken;
     mutable std::unique_ptr<const Islands> mIslands;
+    mutable std::unique_ptr<const SoupMap> mSoupMap;
     mutable std::shared_ptr<const MeshData> mWeightedMesh;
     mutable std::optional<std::vector<bool>> mGivenSeams;
     mutable std::unique_ptr<const MeshAdjacency> mAdjacency;

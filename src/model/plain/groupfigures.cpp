@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <utility>
 
 namespace autocuts::metrics {
 
@@ -13,13 +13,18 @@ std::vector<GroupFigures> groupFigures(const MeshData &mesh, const ChartMap &cha
                                        const std::vector<double> &chartSymDirichlet)
 {
     std::vector<GroupFigures> figures(static_cast<std::size_t>(count));
-    std::vector<std::set<int>> chartsOf(figures.size());
+    std::vector<std::pair<int, int>> chartsOf; // group and chart, sorted below
     for (int face = 0; face < mesh.faceCount(); ++face) {
-        const auto group = static_cast<std::size_t>(faceGroup[face]);
-        ++figures[group].faces;
-        if (charts.faceChart[face] >= 0)
-            chartsOf[group].insert(charts.faceChart[face]);
+        const int group = faceGroup[face];
+        ++figures[static_cast<std::size_t>(group)].faces;
+        const std::pair own(group, charts.faceChart[face]);
+        if (own.second >= 0 && (chartsOf.empty() || chartsOf.back() != own)) // neighbours are often alike
+            chartsOf.push_back(own);
     }
+    std::ranges::sort(chartsOf);
+    chartsOf.erase(std::unique(chartsOf.begin(), chartsOf.end()), chartsOf.end());
+    for (const auto &[group, chart] : chartsOf)
+        ++figures[static_cast<std::size_t>(group)].charts;
     std::vector<double> area(figures.size(), 0), measured(figures.size(), 0), energy(figures.size(), 0);
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         const int face = mesh.triangleFace[t];
@@ -37,7 +42,6 @@ std::vector<GroupFigures> groupFigures(const MeshData &mesh, const ChartMap &cha
         }
     }
     for (std::size_t g = 0; g < figures.size(); ++g) {
-        figures[g].charts = static_cast<int>(chartsOf[g].size());
         if (measured[g] > 0)
             figures[g].symDirichlet = energy[g] / measured[g];
         if (area[g] > 0)

@@ -18,4 +18,9 @@ std::vector<bool> openCornerPairs(const MeshData &mesh, const UvMatrix &uv)
     return open;
 }
 
+SoupMap SoupMap::of(const MeshData &mesh, const UvMatrix &uv)
+{
+    return {soupUv(mesh, uv), openCornerPairs(mesh, uv)};
+}
+
 } // namespace autocuts

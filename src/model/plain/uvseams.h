@@ -20,4 +20,14 @@ inline bool sameUv(const UvMatrix &uv, int a, int b, double distance)
 //! \param uv one row per corner; a non-finite row means that the corner has no UV
 std::vector<bool> openCornerPairs(const MeshData &mesh, const UvMatrix &uv);
 
+//! A map as views draw it: triangle by triangle.
+struct SoupMap
+{
+    UvMatrix uv;            //!< see soupUv()
+    std::vector<bool> open; //!< see openCornerPairs()
+
+    //! \param uv one row per corner
+    static SoupMap of(const MeshData &mesh, const UvMatrix &uv);
+};
+
 } // namespace autocuts

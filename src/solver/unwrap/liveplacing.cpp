@@ -49,6 +49,7 @@ void LivePlacing::reset()
     mPutByHand.clear();
     mBeforeDrag.clear();
     mDrags = false;
+    mGap.reset();
 }
 
 void LivePlacing::returnTo(const FreePart &part, const UvMatrix &uv)
@@ -125,8 +126,10 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     if (afresh && !stays) {
         mBefore.reset();
         mBegun.reset();
-    } else if (!mBefore || !samePolygons(*mBefore->mesh, *own.mesh))
+    } else if (!mBefore || !samePolygons(*mBefore->mesh, *own.mesh)) {
         beginWith(part);
+        mGap.reset();
+    }
     const MeshData &mesh = *own.mesh;
     const CutMesh state(mesh, map.cut);
     const ChartMap charts = chartsOf(mesh, state);
@@ -137,9 +140,13 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     pack.options.keepScale = false;
     pack.keepScaleIfPossible = stays || mBefore;
     pack.hurry = PackHurry::WhenStopped;
+    if (!mGap)
+        mGap = mBegun ? keptGap(*snapshot.mesh, pack, *snapshot.uv) : options.margin / options.textureSize;
     noteDrags(*snapshot.mesh, part.wholeCharts(charts), dragged);
     for (std::size_t face = 0; face < mPutByHand.size(); ++face)
         pack.stays[face] = pack.stays[face] || mPutByHand[face];
+    // Islands come as near to one that was put somewhere as the user likes.
+    pack.gap = std::ranges::find(mPutByHand, true) == mPutByHand.end() ? *mGap : 0;
     mHadRoom = true;
     const std::vector<bool> held = heldCharts(own, state);
     std::vector<double> given;

@@ -11,8 +11,9 @@ namespace autocuts::unwrap {
 
 //! Places one map after the other. A chart goes to where its triangles were in the map before, at the texel
 //! density that its island or tile had there. Charts that leave their bin or overlap another one are packed
-//! into the room that is left; all charts are packed where there is none. Islands that the user has dragged
-//! stay where they were put, and the others make room.
+//! into the room that is left, and so are those that come nearer to another one than the margin, or than the
+//! islands of the map at the beginning are to each other; all charts are packed where there is none. Islands
+//! that the user has dragged stay where they were put, and the others make room.
 class LivePlacing
 {
 public:
@@ -52,6 +53,7 @@ private:
 
     std::optional<Before> mBefore;
     std::optional<Before> mBegun;  //!< the part's own map, to whose places charts return that fit there
+    std::optional<double> mGap;    //!< that islands keep, UV units; see PackJob::gap
     std::vector<bool> mPutByHand;  //!< per face of the whole mesh; empty: none
     std::vector<bool> mBeforeDrag; //!< the same before the drag that goes on or was the last one
     bool mDrags = false;

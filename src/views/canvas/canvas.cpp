@@ -227,7 +227,8 @@ void Canvas::uploadForLight()
 
 void Canvas::upload()
 {
-    const int parts = mContent.refresh();
+    const int parts =
+        mContent.refresh(mPainting ? SceneContent::Amount::OneOfLarge : SceneContent::Amount::All);
     mTangentsStale |= (parts & (SceneContent::Vertices | SceneContent::Uvs)) != 0;
     if (parts & SceneContent::Vertices)
         mGl->soup.setVertices(mContent.vertices());

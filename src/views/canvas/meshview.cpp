@@ -172,7 +172,7 @@ void MeshView::drawScene(GlResources &gl)
     room.exposure = options.exposure;
     room.groundHeight = content().mesh() ? content().frame().lower.y() : 0;
     gl.backdrop.draw(room, content().colors());
-    if (!content().mesh())
+    if (!content().mesh() || !content().canBeDrawn())
         return;
 
     drawing.pixelRatio = devicePixelRatioF();

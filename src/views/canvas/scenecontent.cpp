@@ -53,7 +53,7 @@ void SceneContent::connectAll()
         mShownUv.resize(0, 2);
         const Document *document = mContext.workspace.document();
         mSelection = document ? document->selection() : Selection();
-        mark(AllParts);
+        markAll();
     });
     connect(&mContext.workspace, &Workspace::changed, this, &SceneContent::documentChanged);
     connect(&mContext.workspace, &Workspace::selectionChanged, this, &SceneContent::selectionChanged);
@@ -80,6 +80,7 @@ void SceneContent::mark(int parts)
 
 void SceneContent::markAll()
 {
+    mCanBeDrawn = false;
     mark(AllParts);
 }
 
@@ -242,10 +243,16 @@ const std::vector<SoupVertex> &SceneContent::vertices() const
     return mAsMap || !mMeshParts ? mVertices : mMeshParts->drawing->vertices;
 }
 
-int SceneContent::refresh()
+int SceneContent::refresh(Amount amount)
 {
-    const int parts = std::exchange(mStale, 0);
     const Document *document = mContext.workspace.document();
+    const bool inTurns =
+        amount == Amount::OneOfLarge && document && document->mesh().triangleCount() > mostTrianglesAtOnce;
+    const int parts = inTurns ? mStale & -mStale : mStale; // the first
+    mStale &= ~parts;
+    mCanBeDrawn = mCanBeDrawn || mStale == 0;
+    if (mStale != 0)
+        Q_EMIT changed();
     if (!document) {
         mVertices.clear();
         mUvs.clear();

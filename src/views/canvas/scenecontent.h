@@ -17,13 +17,22 @@ namespace autocuts {
 struct ChangeEvent;
 
 //! The arrays of gl/soupbuffers.h for the open document. Events only mark arrays as outdated; refresh()
-//! updates them before they are drawn.
+//! updates them before they are drawn. Those of large meshes take long, so a window that has to answer lets
+//! them be updated one after the other.
 class SceneContent final : public QObject
 {
     Q_OBJECT
 
 public:
-    enum Part { Vertices = 1, Uvs = 2, Faces = 4, Sides = 8, Points = 16, Ghost = 32, AllParts = 63 };
+    //! In the order of their updates.
+    enum Part { Uvs = 1, Vertices = 2, Faces = 4, Sides = 8, Ghost = 16, Points = 32, AllParts = 63 };
+    enum class Amount {
+        All,
+        OneOfLarge //!< one array if the mesh is large; changed() is emitted when others are left
+    };
+    //! Arrays of larger meshes are not all updated in one turn of the event loop. Chosen by hand: each takes
+    //! some 20 ms for four times as many triangles.
+    static constexpr int mostTrianglesAtOnce = 100'000;
 
     //! \param asMap true for the UV view
     SceneContent(const StudioContext &context, bool asMap, QObject *parent = nullptr);
@@ -41,8 +50,12 @@ public:
     //! Bounding box of what is shown of the map at the last refresh(); empty when there is nothing.
     const Eigen::AlignedBox2d &uvBox() const { return mUvBox; }
 
-    //! Updates the arrays. \returns a mask of the arrays that changed since the last call
-    int refresh();
+    //! Updates arrays. \returns a mask of the arrays that changed since the last call
+    int refresh(Amount amount = Amount::All);
+    //! False while an array is outdated.
+    bool isUpToDate() const { return mStale == 0; }
+    //! True when all arrays have been updated since the document was replaced, so that they fit each other.
+    bool canBeDrawn() const { return mCanBeDrawn; }
     //! Makes the next refresh() report all arrays as changed, after the OpenGL context was lost.
     void markAll();
 
@@ -89,6 +102,7 @@ private:
     const StudioContext mContext;
     const bool mAsMap;
     int mStale = AllParts;
+    bool mCanBeDrawn = false;
     mutable std::unique_ptr<const MeshParts> mMeshParts; //!< of the open document; made when needed
     mutable UvMatrix mShownUv; //!< uv() when faces are hidden; without rows when it is outdated
     ViewColors mColors;

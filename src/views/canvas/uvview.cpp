@@ -238,8 +238,10 @@ bool UvView::showGradually(GlResources &gl)
     GradualPicture &picture = gl.gradual;
     if (!picture.isBusy() && !picture.has(scene(gl), pixels)) {
         upload();
-        picture.begin(scene(gl), pixels);
-        picture.goOn(gl.forMap(), timeOfPaint);
+        if (content().isUpToDate()) { // else it would be begun anew for each array
+            picture.begin(scene(gl), pixels);
+            picture.goOn(gl.forMap(), timeOfPaint);
+        }
     }
     picture.show(gl.forMap(), defaultFramebufferObject(), mCamera);
     if (picture.isBusy())

@@ -16,6 +16,7 @@ std::shared_ptr<const MeshDrawing> prepared(const Document &document, const std:
     if (stop)
         return nullptr;
     (void)document.islands(); // cached, like the next
+    (void)document.soupMap();
     (void)document.adjacency();
     const Scene &scene = document.state().scene;
     return std::make_shared<const MeshDrawing>(scene.mesh, scene.hardEdges);

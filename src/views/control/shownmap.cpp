@@ -14,9 +14,8 @@ namespace {
 constexpr int fadingTime = 240, fadingStep = 30; // milliseconds; chosen by hand
 
 //! 1 where a map is open, 0 where it is closed, as at a cut inside an island that opens nothing.
-std::vector<float> separationOf(const MeshData &mesh, const UvMatrix &uv)
+std::vector<float> separationOf(const std::vector<bool> &open)
 {
-    const std::vector<bool> open = openCornerPairs(mesh, uv);
     std::vector<float> separation(open.size());
     std::transform(open.begin(), open.end(), separation.begin(),
                    [](bool apart) { return apart ? 1.f : 0.f; });
@@ -45,13 +44,19 @@ ShownMap::ShownMap(Workspace &workspace, QObject *parent) : QObject(parent), mWo
 
 const UvMatrix &ShownMap::uv() const
 {
-    refresh();
-    return mUv;
+    static const UvMatrix none(0, 2);
+    if (mLive)
+        return mUv;
+    const Document *document = mWorkspace.document();
+    return document ? document->soupMap().uv : none;
 }
 
 const std::vector<float> &ShownMap::separation() const
 {
-    refresh();
+    if (std::exchange(mStale, false)) {
+        const Document *document = mWorkspace.document();
+        mSeparation = document ? separationOf(document->soupMap().open) : std::vector<float>();
+    }
     return mSeparation;
 }
 
@@ -69,7 +74,7 @@ void ShownMap::showMap(const UvMatrix &map, UvMatrix ghost)
     const std::vector<float> separationBefore = separation();
     const bool fades = !isSoup() && before.rows() == shown.rows() && before.allFinite() &&
                        shown.allFinite() && before != shown;
-    setLive(false, separationOf(mesh, map), fades ? before : ghost);
+    setLive(false, separationOf(openCornerPairs(mesh, map)), fades ? before : ghost);
     mUv = std::move(shown);
     if (fades) {
         mNextGhost = std::move(ghost);
@@ -128,21 +133,8 @@ void ShownMap::showDocument()
     mLive = false;
     mStale = true;
     mGhost = {};
+    mUv.resize(0, 2);
     Q_EMIT changed();
-}
-
-void ShownMap::refresh() const
-{
-    if (!mStale)
-        return;
-    mStale = false;
-    const Document *document = mWorkspace.document();
-    mUv.resize(document ? document->mesh().soupCornerCount() : 0, 2);
-    mSeparation.clear();
-    if (!document)
-        return;
-    mUv = soupUv(document->mesh(), document->uv());
-    mSeparation = separationOf(document->mesh(), document->uv());
 }
 
 } // namespace autocuts

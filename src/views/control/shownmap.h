@@ -58,7 +58,6 @@ Q_SIGNALS:
     void ghostChanged();
 
 private:
-    void refresh() const;
     void setLive(bool soup, std::vector<float> separation, UvMatrix ghost);
     void fade();
     void stopFading();
@@ -71,8 +70,8 @@ private:
     std::optional<IslandGlide> mGlide; //!< of the map before, while it shines through
     QTimer mFading;
     QElapsedTimer mFadingSince;
-    mutable bool mStale = true;
-    mutable UvMatrix mUv;
+    UvMatrix mUv;               //!< while a map of the solve is shown
+    mutable bool mStale = true; //!< the next is of an older map
     mutable std::vector<float> mSeparation;
 };
 

@@ -64,7 +64,7 @@ Selection facesOfTriangles(const Document &document, const std::vector<bool> &tr
 //! Twice the area of each triangle in the map; not a number without UVs.
 std::vector<double> areasInMap(const Document &document)
 {
-    const UvMatrix uv = soupUv(document.mesh(), document.uv());
+    const UvMatrix &uv = document.soupMap().uv;
     std::vector<double> areas(document.mesh().triangleCount());
     for (std::size_t t = 0; t < areas.size(); ++t) {
         const Vec2 a = uv.row(3 * t), b = uv.row(3 * t + 1), c = uv.row(3 * t + 2);
@@ -77,7 +77,7 @@ Selection mostStretched(const Document &document)
 {
     const MeshData &mesh = document.mesh();
     const std::vector<float> energy =
-        StretchMeter(*document.weightedMesh()).measure(soupUv(mesh, document.uv())).dirichlet;
+        StretchMeter(*document.weightedMesh()).measure(document.soupMap().uv).dirichlet;
     int worst = -1;
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         if (energy[t] >= 4 && !mesh.triangleDegenerate[t] && (worst < 0 || energy[t] > energy[worst]))

@@ -167,7 +167,7 @@ QList<int> flippedFaces(const Document &document)
     std::vector<int> islands(mesh.faceCount());
     for (int face = 0; face < mesh.faceCount(); ++face)
         islands[face] = document.islands().islandOfFace(face);
-    const std::vector<bool> triangles = flippedTriangles(mesh, soupUv(mesh, document.uv()), islands);
+    const std::vector<bool> triangles = flippedTriangles(mesh, document.soupMap().uv, islands);
     std::vector<bool> flipped(mesh.faceCount(), false);
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         if (triangles[t])
