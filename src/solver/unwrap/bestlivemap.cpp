@@ -119,7 +119,7 @@ bool BestLiveMap::isBeaten(const SeamedMap &map) const
     Candidate candidate;
     candidate.map = map;
     candidate.measure(*mProblem.soup(), mProblem.problem());
-    return beats(std::move(candidate), *mStanding, mOptions.maxDistortion);
+    return beats(std::move(candidate), mStanding->worth, mOptions.maxDistortion);
 }
 
 //! Gives the map out, unless it is not better or overlaps itself after all.
@@ -144,6 +144,8 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
                          job.quiet(), straightness);
     if (job.stopped() && straightness == straight::StraightEffort::Full)
         return;
+    if (mStanding && !mStanding->inPlace && !isBeaten(map))
+        map = mStanding->worth.map;
     const bool deformed = fitToRectangles(part, mProblem.soup(), map, job, effort);
     if (deformed && job.stopped()) {
         mUnfitted = std::move(state);
@@ -152,17 +154,17 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     if (definite::coversItself(soup, map))
         return;
     auto result = std::make_shared<LiveMapResult>();
-    const bool placed = isBeaten(map);
+    const bool placed = (mStanding && !mStanding->inPlace) || isBeaten(map);
     if (placed) {
-        mStanding.reset();
+        if (mStanding && mStanding->inPlace)
+            mStanding.reset();
         result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh, mOptions.dragged,
                                     mProblem.plan().rotation(PackRotation::Free));
     } else {
-        map = mStanding->map;
+        map = mStanding->worth.map;
         result->uv = *whole.uv;
     }
-    result->distortion = map.distortion(soup);
-    result->withinBound = result->distortion <= mOptions.maxDistortion;
+    result->withinBound = map.distortion(soup) <= mOptions.maxDistortion;
     result->token = mToken;
     result->hardShare = mProblem.hardShare();
     result->cut = part.wholeCut(map.cut);
@@ -175,8 +177,7 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     const metrics::UvMetrics all = metrics::measureUv(*whole.mesh, result->uv, figures);
     result->seamLength = all.seamNorm;
     result->islands = all.charts;
-    if (!part.isWhole())
-        result->distortion = all.tileDirichlet;
+    result->distortion = all.tileDirichlet;
     if (deformed && effort == FitEffort::Quick)
         mUnfitted = state;
     mBest = std::move(state);

@@ -32,7 +32,7 @@ struct LiveMapResult
     StateToken token;      //!< of the snapshot that it obeys
     UvMatrix uv;           //!< per corner, texture space
     CutFlags cut;          //!< per edge pair
-    double distortion = 0; //!< mean symmetric Dirichlet energy, 4 is isometric
+    double distortion = 0; //!< of the whole map: UvMetrics::tileDirichlet, 4 is isometric
     double seamLength = 0; //!< seam_norm, solver units
     int islands = 0;
     double hardShare = 0;     //!< as UnwrapResult::hardShare
@@ -68,7 +68,7 @@ public:
     void forgetWaiting();
     //! The document's map stays as long as no map beats it. \param map see standingMap(); nothing: any map is
     //! better
-    void setStanding(std::optional<Candidate> map)
+    void setStanding(std::optional<StandingMap> map)
     {
         const std::lock_guard lock(mMutex);
         mStanding = std::move(map);
@@ -124,7 +124,7 @@ private:
     LivePlacing mPlacing;
     std::optional<search::CutState> mBest;
     Merit mBestMerit;
-    std::optional<Candidate> mStanding;
+    std::optional<StandingMap> mStanding;
     std::optional<AlikeParts> mAlike; //!< of the problem, once it is known
     bool mAlikeIsKnown = false;
     std::shared_ptr<const LiveMapResult> mGiven;

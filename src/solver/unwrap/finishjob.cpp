@@ -101,8 +101,6 @@ void place(const FinishInput &input, const FreePart &part, NewCharts map, const 
     } else if (keeps && !input.live && keepPlaces(snapshot, part, pack, input.maxDistortion, map, packing)) {
         result.notReplaced = map.notReplaced;
         result.uv = std::move(map.uv);
-        if (map.notReplaced > 0)
-            result.distortion = tileDirichlet(snapshot, result.uv);
     } else {
         const double size = layoutScale(mesh, map.uv);
         const bool packed = keeps ? packMisplaced(mesh, map.charts, pack, map.uv, packing)
@@ -121,21 +119,52 @@ bool obeysAsMuch(const UnmetSteering &one, const UnmetSteering &other)
            one.missingSeams.size() <= other.missingSeams.size() && one.bent.size() <= other.bent.size();
 }
 
-//! True when the map before may stay and is not beaten. Where a tile is full, some islands stay old and some
-//! are new: such a mixture may be worse than both.
-bool gainsNothing(const FinishInput &input, const FreePart &part, const std::shared_ptr<const Soup> &soup,
-                  const Snapshot &own, const FinishResult &made, const JobContext &job)
+//! What a job has to beat; only a document's map.
+class MapBefore
 {
-    const Snapshot &snapshot = input.snapshot;
-    if (!keepsScales(snapshot) || !obeysAsMuch(unmetSteering(snapshot, *snapshot.uv), made.unmet))
-        return false;
-    const Snapshot problem = preference::SeamPreference().applied(own, job.threads());
-    const std::optional<Candidate> before = standingMap(snapshot, part, soup, problem, input.packing, job);
-    if (!before)
-        return false;
-    const std::optional<Candidate> after = worthOf(part, soup, problem, made.uv);
-    return made.noRoom || !after || !beats(*after, *before, input.maxDistortion);
-}
+public:
+    MapBefore(const FinishInput &input, const FreePart &part, std::shared_ptr<const Soup> soup,
+              const JobContext &job)
+        : mInput(input), mPart(part), mSoup(std::move(soup)),
+          mProblem(preference::SeamPreference().applied(part.withoutRectangles(), job.threads()))
+    {
+        if (input.live || !keepsScales(input.snapshot))
+            return;
+        mUnmet = unmetSteering(input.snapshot, *input.snapshot.uv);
+        mStanding = standingMap(input.snapshot, part, mSoup, mProblem, input.packing, job);
+    }
+
+    //! Takes the shapes of the map before where only its islands have to move and no better ones are known.
+    void keepShapes(SeamedMap &map) const
+    {
+        if (!mStanding || mStanding->inPlace || !mUnmet.pins.empty() || !mUnmet.joins.empty() ||
+            !mUnmet.missingSeams.empty())
+            return;
+        Candidate candidate;
+        candidate.map = map;
+        candidate.measure(*mSoup, mProblem);
+        if (!beats(std::move(candidate), mStanding->worth, mInput.maxDistortion))
+            map = mStanding->worth.map;
+    }
+
+    //! True when the map before may stay and is not beaten. Where a tile is full, some islands stay old and
+    //! some are new: such a mixture may be worse than both.
+    bool isAsGoodAs(const FinishResult &made) const
+    {
+        if (!mStanding || !mStanding->inPlace || !obeysAsMuch(mUnmet, made.unmet))
+            return false;
+        const std::optional<Candidate> after = worthOf(mPart, mSoup, mProblem, made.uv);
+        return made.noRoom || !after || !beats(*after, mStanding->worth, mInput.maxDistortion);
+    }
+
+private:
+    const FinishInput &mInput;
+    const FreePart &mPart;
+    const std::shared_ptr<const Soup> mSoup;
+    const Snapshot mProblem;
+    UnmetSteering mUnmet;
+    std::optional<StandingMap> mStanding;
+};
 
 //! Takes the map before back when it obeys more joins, or nothing was gained.
 void keepBetterMap(const FinishInput &input, bool nothingGained, FinishResult &result)
@@ -237,12 +266,13 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     if (!found)
         return result;
     straighten(soup, part->snapshot(), plan, input.maxDistortion, found->map, job, result);
+    const MapBefore before(input, *part, soup, job);
+    before.keepShapes(found->map);
     if (keepsScales(input.snapshot))
         definite::equalizeDensity(*soup, own, found->map);
     fitToRectangles(*part, soup, found->map, job);
     UvMatrix uv = own.uvScale * cornerUv(*soup, found->map);
     definite::openCuts(own, uv);
-    result.distortion = found->map.distortion(*soup);
     const CutMesh state(*own.mesh, found->map.cut);
     const ChartMap charts = chartsOf(*own.mesh, state);
     NewCharts map{part->wholeUv(uv), part->wholeCharts(charts)};
@@ -256,8 +286,9 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     }
     place(input, *part, std::move(map), job, result);
     result.unmet = unmetSteering(input.snapshot, result.uv);
+    result.distortion = tileDirichlet(input.snapshot, result.uv);
     if (!input.live)
-        keepBetterMap(input, gainsNothing(input, *part, soup, own, result, job), result);
+        keepBetterMap(input, before.isAsGoodAs(result), result);
     const std::vector<PairState> &states = input.snapshot.steering->pairState;
     const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
     result.heldTogether = joins && !result.noRoom &&

@@ -28,7 +28,7 @@ struct FinishInput
 struct FinishResult
 {
     UvMatrix uv;                //!< per corner, texture space; no rows when stopped before there was a map
-    double distortion = 0;      //!< mean symmetric Dirichlet energy
+    double distortion = 0;      //!< of the whole map: UvMetrics::tileDirichlet
     bool noRoom = false;        //!< the islands had to be packed and there is no room for them
     bool madeSmaller = false;   //!< there was no room at their scale: the islands of some tiles are smaller
     bool nothingGained = false; //!< no better map was found: uv is the map before the job

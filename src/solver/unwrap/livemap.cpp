@@ -174,9 +174,8 @@ void LiveMap::findFirst(const JobContext &job)
             mStage = Stage::Done;
         return;
     }
-    if (mFromMap && mSnapshot->uv && unmetSteering(*mSnapshot, *mSnapshot->uv).empty())
-        mBest.setStanding(standingMap(*mSnapshot, mProblem.part(), mProblem.soup(), mProblem.problem(),
-                                      mOptions.packing, job));
+    if (mFromMap)
+        findStanding(job);
     if (mFromMap && mProblem.problem().uv && startFromMap(*mProblem.problem().uv, job)) {
         mExplored = true; // its seams are what the user has
         mStage = Stage::Improve;
@@ -188,6 +187,17 @@ void LiveMap::findFirst(const JobContext &job)
         carryFromCoarse(UnwrapQuality::Draft, std::move(quick), job);
     if (!job.stopped())
         mStage = Stage::Explore;
+}
+
+//! The document's map, as what has to be beaten.
+void LiveMap::findStanding(const JobContext &job)
+{
+    if (!mSnapshot->uv)
+        return;
+    const UnmetSteering unmet = unmetSteering(*mSnapshot, *mSnapshot->uv);
+    if (unmet.count() == unmet.rectangles.size()) // these only say where islands are
+        mBest.setStanding(standingMap(*mSnapshot, mProblem.part(), mProblem.soup(), mProblem.problem(),
+                                      mOptions.packing, job));
 }
 
 //! A map that does not come from the search alone.
@@ -208,6 +218,8 @@ void LiveMap::steerMap(const JobContext &job)
     updateProblem(job);
     // Coarsening does not stop at once: whoever steers a large mesh gets local searches, which do.
     mExplored = mExplored || mProblem.isForCoarse();
+    if (mBest.given() && mSnapshot->uv && *mSnapshot->uv == mBest.given()->uv)
+        findStanding(job); // the document has the map that was given
     if (mProblem.problem().settings.seams == SeamMode::Only || (!mBest.best() && !mBest.given())) {
         mStage = Stage::Begin;
         return;

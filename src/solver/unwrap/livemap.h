@@ -42,6 +42,7 @@ private:
     void carryFromCoarse(UnwrapQuality quality, std::optional<search::CutState> quick, const JobContext &job);
     void explore(const JobContext &job);
     void improve(const JobContext &job);
+    void findStanding(const JobContext &job);
     void findAnyMap(const JobContext &job);
     void take(const SeamedMap &map, const JobContext &job);
     void take(const search::CutState &state, const JobContext &job);

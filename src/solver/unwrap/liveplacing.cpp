@@ -32,6 +32,19 @@ void growIntoRectangles(const MeshData &mesh, const ChartMap &charts, PackJob pa
         uv = std::move(larger);
 }
 
+//! Packs islands that are not where they belong. The others stay as long as these find room, with a smaller
+//! margin if need be: while a solve runs, islands that jump are worse than a small margin.
+bool packMisplacedCalmly(const MeshData &mesh, const ChartMap &charts, PackJob pack, UvMatrix &uv)
+{
+    constexpr int halvings = 2; // of the margin before it is given up
+    for (int tries = 0; tries <= halvings && pack.gap > 0; ++tries, pack.gap /= 2) {
+        if (packOnlyMisplaced(mesh, charts, pack, uv))
+            return true;
+    }
+    pack.gap = 0;
+    return packMisplaced(mesh, charts, pack, uv);
+}
+
 } // namespace
 
 void LivePlacing::beginWith(const FreePart &part)
@@ -205,7 +218,7 @@ UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part,
     if (onlyRectangles(pack) && liesFree(*snapshot.mesh, whole, pack, uv))
         growIntoRectangles(*snapshot.mesh, whole, pack, uv);
     else
-        mHadRoom = packMisplaced(*snapshot.mesh, whole, pack, uv);
+        mHadRoom = packMisplacedCalmly(*snapshot.mesh, whole, pack, uv);
     return uv;
 }
 

@@ -418,16 +418,32 @@ bool packTilesOf(const MeshData &mesh, const ChartMap &charts, PackJob pack, con
     return packCharts(mesh, charts, pack, uv, job);
 }
 
-bool packMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,
-                   const JobContext &job)
+namespace {
+
+bool packWithoutOthers(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,
+                       const std::vector<bool> &misplaced, UvMatrix &uv, const JobContext &job)
 {
-    const std::vector<bool> misplaced = misplacedFaces(mesh, charts, pack, uv, job);
     if (std::ranges::find(misplaced, true) == misplaced.end())
         return true;
     PackJob unturned = pack;
     unturned.options.rotation = PackRotation::None;
     return packAround(mesh, charts, unturned, misplaced, uv, job) ||
-           packAround(mesh, charts, pack, misplaced, uv, job) ||
+           packAround(mesh, charts, pack, misplaced, uv, job);
+}
+
+} // namespace
+
+bool packOnlyMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,
+                       const JobContext &job)
+{
+    return packWithoutOthers(mesh, charts, pack, misplacedFaces(mesh, charts, pack, uv, job), uv, job);
+}
+
+bool packMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,
+                   const JobContext &job)
+{
+    const std::vector<bool> misplaced = misplacedFaces(mesh, charts, pack, uv, job);
+    return packWithoutOthers(mesh, charts, pack, misplaced, uv, job) ||
            packTilesOf(mesh, charts, pack, misplaced, uv, job);
 }
 

@@ -77,8 +77,11 @@ struct PackJob
                                const std::vector<bool> &faces, UvMatrix &uv, const JobContext &job = {});
 
 //! Packs the islands that are not where they belong around the others, at their size and, as long as there is
-//! room, without turning them; where there is none, all islands of their tiles that may move.
-//! \returns as packCharts()
+//! room, without turning them. \returns as packCharts()
+[[nodiscard]] bool packOnlyMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,
+                                     UvMatrix &uv, const JobContext &job = {});
+
+//! The same; where there is no room, all islands of their tiles that may move. \returns as packCharts()
 [[nodiscard]] bool packMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,
                                  UvMatrix &uv, const JobContext &job = {});
 

@@ -37,8 +37,19 @@ bool asksForMore(const Snapshot &snapshot, const FreePart &part)
     const SolveSettings &asked = snapshot.settings;
     const std::vector<Pin> &pins = snapshot.steering->pins;
     return asked.symmetry || asked.energy != DistortionEnergy::SymmetricDirichlet ||
-           !snapshot.steering->rectangles.empty() || !std::ranges::all_of(pins, &Pin::hard) ||
-           !straight::StraightPlan::of(part.snapshot()).isEmpty();
+           !std::ranges::all_of(pins, &Pin::hard) || !straight::StraightPlan::of(part.snapshot()).isEmpty();
+}
+
+//! True when islands are in their rectangles and tiles, overlap nothing, and have no reason to grow.
+bool liesInPlace(const Snapshot &snapshot, const packing::PackOptions &packing, const JobContext &job)
+{
+    const MeshData &mesh = *snapshot.mesh;
+    const PackJob pack = steeredPackJob(snapshot, packing);
+    if (onlyRectangles(pack)) // they are as large as these allow
+        return false;
+    const std::vector<bool> misplaced =
+        misplacedFaces(mesh, findCharts(mesh, *snapshot.uv), pack, *snapshot.uv, job.quiet());
+    return std::ranges::find(misplaced, true) == misplaced.end();
 }
 
 } // namespace
@@ -57,18 +68,19 @@ std::optional<Candidate> worthOf(const FreePart &part, const std::shared_ptr<con
     return candidate;
 }
 
-std::optional<Candidate> standingMap(const Snapshot &snapshot, const FreePart &part,
-                                     const std::shared_ptr<const Soup> &soup, const Snapshot &problem,
-                                     const packing::PackOptions &packing, const JobContext &job)
+std::optional<StandingMap> standingMap(const Snapshot &snapshot, const FreePart &part,
+                                       const std::shared_ptr<const Soup> &soup, const Snapshot &problem,
+                                       const packing::PackOptions &packing, const JobContext &job)
 {
-    const MeshData &mesh = *snapshot.mesh;
     if (!snapshot.uv || asksForMore(snapshot, part) || hasClosedCuts(part.snapshot()))
         return std::nullopt;
-    const std::vector<bool> misplaced = misplacedFaces(
-        mesh, findCharts(mesh, *snapshot.uv), steeredPackJob(snapshot, packing), *snapshot.uv, job.quiet());
-    if (job.stopped() || std::ranges::find(misplaced, true) != misplaced.end())
+    std::optional<Candidate> worth = worthOf(part, soup, problem, *snapshot.uv);
+    if (!worth)
         return std::nullopt;
-    return worthOf(part, soup, problem, *snapshot.uv);
+    const bool inPlace = liesInPlace(snapshot, packing, job);
+    if (job.stopped())
+        return std::nullopt;
+    return StandingMap{std::move(*worth), inPlace};
 }
 
 bool beats(Candidate map, Candidate standing, double maxDistortion)

@@ -13,11 +13,17 @@ namespace autocuts::unwrap {
 [[nodiscard]] std::optional<Candidate> worthOf(const FreePart &part, const std::shared_ptr<const Soup> &soup,
                                                const Snapshot &problem, const UvMatrix &uv);
 
-//! What the snapshot's map is worth, if it may stay: it is valid, its islands are where they belong, edges
-//! are open that are to be cut, and nothing is asked for that the worth does not measure: straight lines,
-//! symmetry, another energy, soft pins and rectangles. Whether it obeys everything else, unmetSteering()
-//! tells. Nothing when stopped.
-[[nodiscard]] std::optional<Candidate>
+struct StandingMap
+{
+    Candidate worth;
+    //! Its islands are where they belong. Otherwise only their shapes may stay.
+    bool inPlace = false;
+};
+
+//! The snapshot's map, if its islands may keep their shapes: it is valid, edges are open that are to be cut,
+//! and nothing is asked for that the worth does not measure: straight lines, symmetry, another energy, soft
+//! pins. Whether it obeys pins, joins and given seams, unmetSteering() tells. Nothing when stopped.
+[[nodiscard]] std::optional<StandingMap>
 standingMap(const Snapshot &snapshot, const FreePart &part, const std::shared_ptr<const Soup> &soup,
             const Snapshot &problem, const packing::PackOptions &packing, const JobContext &job = {});
 
