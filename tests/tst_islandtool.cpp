@@ -119,6 +119,14 @@ private Q_SLOTS:
         mStudio->tools.choose(u"scale"_s);
         QCOMPARE(tool().id(), u"scale"_s);
         QVERIFY(!tool().isBusy());
+        // After a dialog the mouse is there again, and has not moved.
+        QEvent leaveModel(QEvent::Leave);
+        QCoreApplication::sendEvent(&mStudio->mesh, &leaveModel);
+        QEnterEvent enter(QPointF(100, 100), QPointF(100, 100), view().mapToGlobal(QPointF(100, 100)));
+        QCoreApplication::sendEvent(&view(), &enter);
+        mStudio->tools.choose(u"rotate"_s);
+        QVERIFY(tool().isBusy());
+        tool().cancel();
     }
 
     void keysOfTheGesture_data()

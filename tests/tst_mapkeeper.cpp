@@ -86,7 +86,7 @@ struct Bench : QObject
         const metrics::UvMetrics figures = metrics::measureUv(*snapshot.mesh, map.uv);
         if (figures.flipped > 0 || figures.overlapPairs > 0)
             return QStringLiteral("%1 flips, %2 overlaps").arg(figures.flipped).arg(figures.overlapPairs);
-        if (std::abs(figures.symDirichlet - map.distortion) > 1e-3 || figures.charts != map.islands)
+        if (std::abs(figures.tileDirichlet - map.distortion) > 1e-3 || figures.charts != map.islands)
             return QStringLiteral("it says D %1 and %2 islands").arg(map.distortion).arg(map.islands);
         if (std::abs(figures.seamNorm - map.seamLength) > 1e-9)
             return QStringLiteral("it says seams of %1, not %2").arg(map.seamLength).arg(figures.seamNorm);

@@ -89,6 +89,15 @@ private Q_SLOTS:
         QCOMPARE(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction), "uv.finish"_L1);
         m.flipped = 1;
         QCOMPARE(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction), "uv.unwrap"_L1);
+        // Packed with the margin that the user wants.
+        m.flipped = 0;
+        m.symDirichlet = 4;
+        m.minGutterTexels = 0.2;
+        QCOMPARE(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction), "uv.pack"_L1);
+        PackingSettings packing = document->packingSettings();
+        packing.margin = 0;
+        pushCommand(std::make_unique<ChangePackingSettings>(*document, packing));
+        QVERIFY(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction) != "uv.pack"_L1);
     }
 
     void emptyStates()

@@ -285,8 +285,41 @@ private Q_SLOTS:
             QTRY_VERIFY(options->width() >= options->sizeHint().width());
         }
         // Not in turns with the tools.
-        studio.action("tool.select")->trigger();
-        QVERIFY(studio.window.toolBarBreak(options));
+        QTRY_VERIFY(options->height() > 0);
+        const int height = options->height();
+        for (const char *tool : {"tool.select", "tool.move", "tool.paint"}) {
+            studio.action(tool)->trigger();
+            QCoreApplication::processEvents();
+            QVERIFY(studio.window.toolBarBreak(options));
+            QTRY_COMPARE(options->height(), height);
+        }
+    }
+
+    //! It takes back what is under way, not what was done before.
+    void undoEndsAGesture()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.action("tool.paint")->trigger();
+        Canvas &view = studio.window.meshView();
+        QVERIFY(!view.picture().isNull());
+        const QPoint middle = view.rect().center();
+        QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, middle);
+        QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, middle);
+        const UndoStack &stack = studio.document()->undoStack();
+        QCOMPARE(stack.count(), 1);
+        const DocumentState painted = studio.document()->state();
+        QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, middle + QPoint(10, 10));
+        QTest::mouseMove(&view, middle + QPoint(60, 30));
+        QVERIFY(studio.window.tools().tool()->isBusy());
+        QVERIFY(!(studio.document()->state() == painted));
+        studio.action("edit.undo")->trigger();
+        QVERIFY(!studio.window.tools().tool()->isBusy());
+        QVERIFY(studio.document()->state() == painted);
+        QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, middle + QPoint(60, 30));
+        QCOMPARE(stack.index(), 1);
+        studio.action("edit.undo")->trigger();
+        QTRY_COMPARE(stack.index(), 0);
     }
 
     void theWholeMapStaysInView()

@@ -2,14 +2,16 @@
 
 #include "views/actions/actionregistry.h"
 #include "views/actions/preferencesdialog.h"
+#include "views/canvas/toolmanager.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/ui/questions.h"
 
 namespace autocuts {
 
-EditActions::EditActions(const StudioContext &context, Questions &questions, QObject *parent)
-    : QObject(parent), mContext(context), mQuestions(questions)
+EditActions::EditActions(const StudioContext &context, Questions &questions, ToolManager &tools,
+                         QObject *parent)
+    : QObject(parent), mContext(context), mQuestions(questions), mTools(tools)
 {
     ActionRegistry &actions = context.actions;
     connect(actions.action("edit.undo"), &QAction::triggered, this, &EditActions::undo);
@@ -20,9 +22,11 @@ EditActions::EditActions(const StudioContext &context, Questions &questions, QOb
     connect(&context.workspace, &Workspace::historyChanged, this, &EditActions::showTexts);
 }
 
-//! A running solve becomes an entry first, which is then undone.
+//! Takes back the gesture that is under way. A running solve becomes an entry first, which is then undone.
 void EditActions::undo()
 {
+    if (AbstractTool *tool = mTools.tool(); tool && tool->isBusy())
+        return tool->cancel();
     mContext.solver.whenPaused([this] {
         Document *document = mContext.workspace.document();
         if (document && document->undoStack().canUndoFurther())

@@ -8,6 +8,7 @@
 namespace autocuts {
 
 class Questions;
+class ToolManager;
 
 //! Undo, redo, preferences and shortcuts.
 class EditActions final : public QObject
@@ -15,7 +16,8 @@ class EditActions final : public QObject
     Q_OBJECT
 
 public:
-    EditActions(const StudioContext &context, Questions &questions, QObject *parent = nullptr);
+    EditActions(const StudioContext &context, Questions &questions, ToolManager &tools,
+                QObject *parent = nullptr);
 
 private:
     void undo();
@@ -25,6 +27,7 @@ private:
 
     StudioContext mContext;
     Questions &mQuestions;
+    ToolManager &mTools;
 };
 
 } // namespace autocuts

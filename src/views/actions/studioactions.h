@@ -22,11 +22,12 @@ class StudioActions final
 {
 public:
     //! \param questions asks over the window; must outlive this object
-    StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
-        : mFile(context, questions), mEdit(context, questions), mSelect(context, questions), mHide(context),
-          mUv(context), mUvSets(context), mIslands(context, questions), mTexelWeights(context, questions),
-          mTransfer(context, questions), mBake(context, questions), mView(context, questions),
-          mHelp(context, questions, recoveryFolder), mStates(context)
+    StudioActions(const StudioContext &context, Questions &questions, ToolManager &tools,
+                  const QString &recoveryFolder)
+        : mFile(context, questions), mEdit(context, questions, tools), mSelect(context, questions),
+          mHide(context), mUv(context), mUvSets(context), mIslands(context, questions),
+          mTexelWeights(context, questions), mTransfer(context, questions), mBake(context, questions),
+          mView(context, questions), mHelp(context, questions, recoveryFolder), mStates(context)
     {}
 
     FileActions &file() { return mFile; }

@@ -183,6 +183,7 @@ void Canvas::enterEvent(QEnterEvent *event)
     // The view under the mouse gets the keyboard focus, but never takes it from a field that is being edited.
     if (qobject_cast<Canvas *>(window()->focusWidget()))
         setFocus(Qt::MouseFocusReason);
+    mTools.setMouse(this, event->position()); // it need not move before a key is pressed
     QOpenGLWidget::enterEvent(event);
 }
 

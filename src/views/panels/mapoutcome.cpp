@@ -13,7 +13,8 @@ namespace autocuts {
 
 namespace {
 
-//! In texels. Islands closer than this bleed into each other when the texture is filtered.
+//! In texels. Islands closer than this bleed into each other when the texture is filtered. A smaller margin
+//! is what the user wants.
 constexpr double fewestGutterTexels = 1;
 //! How far a map may reach below 0 and still count as inside of the tiles.
 constexpr double tolerance = 1e-6;
@@ -78,7 +79,8 @@ MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double
             what + QStringLiteral(". ") +
                 OutcomeTexts::tr("Not in one tile as a whole: %1.").arg(offTileText(figures.islandsOffTile)),
             "uv.pack"};
-    if (m.minGutterTexels < fewestGutterTexels || m.uvMin.minCoeff() < -tolerance)
+    const double least = std::min(fewestGutterTexels, double(document.packingSettings().margin));
+    if (m.minGutterTexels < least * (1 - tolerance) || m.uvMin.minCoeff() < -tolerance)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Not packed."), "uv.pack");
     return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Ready."), "file.exportMesh");
 }

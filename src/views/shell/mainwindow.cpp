@@ -80,7 +80,7 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    mStudioActions = std::make_unique<StudioActions>(context(), *mQuestions, recoveryFolder);
+    mStudioActions = std::make_unique<StudioActions>(context(), *mQuestions, mTools, recoveryFolder);
     mLink = std::make_unique<LinkController>(context(), [this] { return mStudioActions->file().mayLeave(); });
     makeViews();
     makePanels();
@@ -275,13 +275,14 @@ void MainWindow::makeMenus()
             [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
 }
 
-//! The options get a row of their own in a window too narrow for those of a tool that was used, so that
-//! nothing is hidden and the views do not jump with every tool.
+//! The options get a row of their own in a window too narrow for those of a tool that was used, as high as
+//! the highest of them, so that nothing is hidden and the views do not jump with every tool.
 void MainWindow::arrangeToolBars()
 {
     if (!mOptionBar)
         return;
     mWidestOptions = std::max(mWidestOptions, mOptionBar->sizeHint().width());
+    mOptionBar->setMinimumHeight(std::max(mOptionBar->minimumHeight(), mOptionBar->sizeHint().height()));
     const bool fits = mMainBar->sizeHint().width() + mWidestOptions <= width();
     if (fits == !toolBarBreak(mOptionBar))
         return;

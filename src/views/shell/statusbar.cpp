@@ -283,9 +283,10 @@ void StatusBar::showLiveFigures()
     const live::SolveStatus status = mContext.solver.status();
     const bool soup = mContext.shownMap.isSoup();
     mFigures->setFigure(Steps, soup ? fixedText(status.stepsPerSecond, 1) : missingText());
-    mFigures->setFigure(Energy, fixedText(status.energy, 3));
-    mFigures->setFigure(Distortion, fixedText(status.distortion, 4));
-    mFigures->setFigure(Separation, fixedText(status.separation, 3));
+    const bool measured = status.distortion > 0; // not before the first step
+    mFigures->setFigure(Energy, measured ? fixedText(status.energy, 3) : missingText());
+    mFigures->setFigure(Distortion, measured ? fixedText(status.distortion, 4) : missingText());
+    mFigures->setFigure(Separation, measured ? fixedText(status.separation, 3) : missingText());
     mFigures->setFigure(Lambda, fixedText(status.lambda, 4));
     mFigures->setFigure(Delta, significantText(status.delta, 3));
     mFigures->setFigure(SeamLength, fixedText(status.seamLength, 3));
