@@ -96,7 +96,7 @@ private Q_SLOTS:
         QCOMPARE(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction), "uv.pack"_L1);
         PackingSettings packing = document->packingSettings();
         packing.margin = 0;
-        pushCommand(std::make_unique<ChangePackingSettings>(*document, packing));
+        pushCommand(std::make_unique<ChangeSettings>(*document, packing));
         QVERIFY(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction) != "uv.pack"_L1);
     }
 

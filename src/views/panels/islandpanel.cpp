@@ -90,7 +90,7 @@ void IslandPanel::makeTable()
     header->setMinimumSectionSize(20);
     header->setStretchLastSection(true);
     const std::array<QLatin1StringView, IslandTable::ColumnCount> widest{
-        "MM000000"_L1, "MM"_L1,     "00000"_L1, "00.0 %_"_L1, "0000.0_"_L1,
+        "MM000000"_L1, "MM"_L1,     "00000"_L1, "000.0 %_"_L1, "0000.0_"_L1,
         "0000.0_"_L1,  "00.000"_L1, "000_"_L1,  "000_"_L1};
     for (int column = 0; column < IslandTable::ColumnCount; ++column) {
         const QString title = mTable->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
