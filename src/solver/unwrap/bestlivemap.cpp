@@ -135,7 +135,7 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     Merit merit = meritOf(state);
     SeamedMap map = merit.misses ? state.map() : alike(settled(state, job), job);
     definite::equalizeDensity(soup, mProblem.problem(), map);
-    merit.misses = map.distortion(soup) > mOptions.maxDistortion;
+    merit.misses = map.distortion(soup, mProblem.problem().stiffness()) > mOptions.maxDistortion;
     if (mBest && merit.misses && !mBestMerit.misses)
         return;
     if (mProblem.plan().aligns() && straightness == straight::StraightEffort::Full)

@@ -338,12 +338,10 @@ void LiveMap::explore(const JobContext &job)
         options.effort = effortFor(quality, mProblem.problem().mesh->triangleCount());
         if (mBest.best())
             options.given.push_back(mBest.best()->map());
-        if (!mProblem.isSymmetric()) {
-            for (SeamedMap &net : netStarts(mProblem.graph(), mProblem.problem(), 1, job.quiet()))
-                options.given.push_back(std::move(net));
-        }
         if (quality == UnwrapQuality::Draft && mBest.best())
             options.effort.seeds = 0; // the quick map has the first cuts of a draft
+        if (!mProblem.isSymmetric())
+            addNetStarts(mProblem.graph(), mProblem.problem(), job.quiet(), options);
         const std::optional<search::OptimizedMap> found = search::optimizeSeams(mProblem.graph(), options);
         if (job.stopped())
             return;

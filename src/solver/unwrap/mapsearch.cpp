@@ -85,8 +85,6 @@ constexpr double hardlyRigid = 0.1;
 //! Effort of a draft that starts from clusters. Measured: 300 moves and 5 squeezes in place of 25 and none
 //! shorten the seams of beetle by 34 %, of plane_holes by 6 %, for little time.
 const search::OptimizeEffort clusterEffort{1, {{0, 1}, {300, 1}}, 5, 0.5, 16};
-//! Share of the area in rigid regions from which nets are better first maps than few cuts. Chosen by hand.
-constexpr double mostlyRigid = 0.95;
 
 //! Finds the best map of one unwrap, by the seam search and by the soup.
 class MapSearch
@@ -136,7 +134,7 @@ private:
         if (mOptions.lambda)
             best = bySoup(mOptions.quality);
         else if (mSnapshot.settings.start == StartMode::ExistingUv ||
-                 (isComplicated(*mSnapshot.mesh, mOptions.quality) && !startsFromNets()) ||
+                 (isComplicated(*mSnapshot.mesh, mOptions.quality) && !startsFromNets(mSnapshot)) ||
                  (mSnapshot.placesIslands() && !mBefore))
             best = bySoup(UnwrapQuality::Draft);
         std::optional<Candidate> searched = bySearch(best, nullptr);
@@ -199,7 +197,7 @@ private:
         if (mBefore)
             search.given.push_back(mBefore->map());
         if (!symmetry && !clusters)
-            startFromNets(search);
+            addNetStarts(mGraph, mSnapshot, mJob.quiet(), search);
         search.improved = [&](const search::CutState &state) {
             mRanking.offer(measuresOf(state), [&] { return state.map(); });
         };
@@ -225,21 +223,6 @@ private:
         candidate.map =
             definite::settleRigidRegions(graph, mSnapshot, search, std::move(found->map), found->mu);
         return makeUsable(candidate) ? std::optional(std::move(candidate)) : std::nullopt;
-    }
-
-    //! True when nets of rigid regions are nearer to the end than maps with few cuts, and than the soup.
-    bool startsFromNets() const { return mSnapshot.rigid && mSnapshot.rigid->share >= mostlyRigid; }
-
-    //! Adds maps of nets to start from. Where most is rigid they take the place of others.
-    void startFromNets(search::OptimizeOptions &search) const
-    {
-        if (!mSnapshot.rigid)
-            return;
-        const int seeds = search.effort.seeds;
-        for (SeamedMap &net : netStarts(mGraph, mSnapshot, std::clamp(seeds, 1, 6), mJob.quiet()))
-            search.given.push_back(std::move(net));
-        if (startsFromNets() && !search.given.empty())
-            search.effort.seeds = seeds / 4;
     }
 
     //! Gives all charts one texel density and measures the map. \returns false when a chart overlaps itself

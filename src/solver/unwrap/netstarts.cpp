@@ -4,9 +4,15 @@
 #include "solver/search/seamseeds.h"
 #include "solver/search/tutte.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace autocuts::unwrap {
 
 namespace {
+
+//! Share of the area in rigid regions from which nets are better first maps than few cuts. Chosen by hand.
+constexpr double mostlyRigid = 0.95;
 
 //! The graph with seams at the borders of all rigid regions.
 std::shared_ptr<const search::SeamGraph> separated(const search::SeamGraph &graph, const Snapshot &snapshot)
@@ -50,6 +56,22 @@ std::vector<SeamedMap> netStarts(const std::shared_ptr<const search::SeamGraph> 
             starts.push_back(std::move(map));
     }
     return starts;
+}
+
+bool startsFromNets(const Snapshot &snapshot)
+{
+    return snapshot.rigid && snapshot.rigid->share >= mostlyRigid;
+}
+
+void addNetStarts(const std::shared_ptr<const search::SeamGraph> &graph, const Snapshot &snapshot,
+                  const JobContext &job, search::OptimizeOptions &search)
+{
+    const int seeds = search.effort.seeds;
+    std::vector<SeamedMap> nets = netStarts(graph, snapshot, std::clamp(seeds, 1, 6), job);
+    search.given.insert(search.given.end(), std::make_move_iterator(nets.begin()),
+                        std::make_move_iterator(nets.end()));
+    if (startsFromNets(snapshot) && !search.given.empty())
+        search.effort.seeds = seeds / 4;
 }
 
 } // namespace autocuts::unwrap
