@@ -145,6 +145,9 @@ private Q_SLOTS:
     void renumberedModel();
     void roundedPositions();
     void facesTakenAway();
+    void movedAndFacesTakenAway_data();
+    void movedAndFacesTakenAway();
+    void aBoxThatFitsTurnedIsNotTurned();
     void facesAdded();
     void changedFacesTakeTheirUvsByPosition();
     void newFacesLieBesideTheMap();
@@ -280,6 +283,55 @@ void TestRelink::facesTakenAway()
     // The same lengths in the texture: the solver's unit shrinks with the model.
     const double share = relinked.state.scene.mesh->area / state.scene.mesh->area;
     QVERIFY(std::abs(relinked.state.uvScales[0] / state.uvScales[0] - std::sqrt(share)) < 1e-12);
+}
+
+void TestRelink::movedAndFacesTakenAway_data()
+{
+    QTest::addColumn<Vec3>("move");
+    QTest::addColumn<double>("stretch");
+    QTest::newRow("moved") << Vec3(0, 0, 0.05) << 1.0;
+    QTest::newRow("far") << Vec3(30, -5, 2) << 1.0;
+    QTest::newRow("deformed") << Vec3(0, 0, 0) << 1.3;
+}
+
+//! Programs keep the numbers of vertices when faces are deleted and the rest is moved or deformed.
+void TestRelink::movedAndFacesTakenAway()
+{
+    QFETCH(Vec3, move);
+    QFETCH(double, stretch);
+    const DocumentState state = steeredGrid();
+    Polygons polygons = polygonsOf(*state.scene.mesh);
+    polygons.faces.erase(polygons.faces.begin() + 6, polygons.faces.begin() + 8);
+    for (Vec3 &point : polygons.points)
+        point = Vec3(point.x(), stretch * point.y(), stretch * point.z()) + move;
+    const Relinked relinked = relinkDocument(state, sceneOf(polygons));
+    QCOMPARE(relinked.state.validate(), QString());
+    QCOMPARE(relinked.report.faces, (Carried{14, 2}));
+    QCOMPARE(relinked.report.newFaces.size(), 0);
+    QCOMPARE(relinked.report.placement.isIdentity(), true);
+    const UvMatrix &before = state.scene.uvSets[0].uv, &after = relinked.state.scene.uvSets[0].uv;
+    QVERIFY(after.topRows(24) == before.topRows(24));
+    QVERIFY(after.bottomRows(32) == before.bottomRows(32));
+}
+
+//! A round model fits turned as well. Where it lies in its place, its surface says more than its box.
+void TestRelink::aBoxThatFitsTurnedIsNotTurned()
+{
+    const test::MeshPtr sphere = test::sphere(12, 12);
+    const DocumentState state = test::layoutDocument(sphere)->state();
+    Polygons polygons = polygonsOf(*sphere);
+    for (Vec3 &point : polygons.points)
+        point += Vec3(0.01, 0, 0); // no face has a counterpart
+    const std::vector<int> split = polygons.faces.front();
+    Vec3 middle = Vec3::Zero();
+    for (const int v : split)
+        middle += polygons.points[v] / double(split.size());
+    polygons.points.push_back(middle);
+    polygons.faces.front().back() = static_cast<int>(polygons.points.size()) - 1;
+    const Relinked relinked = relinkDocument(state, sceneOf(polygons));
+    QCOMPARE(relinked.report.faces.kept, 0);
+    QVERIFY(relinked.report.placement.isIdentity());
+    QVERIFY(relinked.report.placedFaces > sphere->faceCount() / 2);
 }
 
 void TestRelink::facesAdded()

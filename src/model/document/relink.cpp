@@ -69,21 +69,18 @@ public:
     }
 
 private:
-    static std::ptrdiff_t matchedOf(const FaceMatch &match)
-    {
-        return std::ranges::count_if(match.face, [](int face) { return face >= 0; });
-    }
-
     //! Compares in other units and axes where most faces have no counterpart.
     void findPlacement()
     {
-        if (2 * matchedOf(mMatch) >= mBefore.faceCount() && !transfer::liesElsewhere(mAfter, mBefore))
+        const bool elsewhere = transfer::liesElsewhere(mAfter, mBefore);
+        if (2 * mMatch.count() >= mBefore.faceCount() && !elsewhere)
             return;
         for (const transfer::Placement &placement : transfer::likelyPlacements(mAfter, mBefore)) {
             const auto there = transfer::placed(mAfter, placement);
             FaceMatch match = matchFaces(mBefore, *there);
-            const bool better = match.sameTopology || matchedOf(match) > matchedOf(mMatch);
-            if (!better && !(mReport.placement.isIdentity() && matchedOf(mMatch) == 0))
+            const bool better = match.sameTopology || match.count() > mMatch.count();
+            // Without counterparts the boxes decide, and only where it does not lie in its place.
+            if (!better && !(elsewhere && mReport.placement.isIdentity() && mMatch.count() == 0))
                 continue;
             mMatch = std::move(match);
             mInPlace = there;

@@ -53,10 +53,12 @@ struct Relinked
 //! When both models have the same polygons with the same vertices in the same order, faces of equal number
 //! are counterparts; a model that was only deformed keeps everything. Otherwise counterparts have the same
 //! corners in the same winding at the same positions, up to the rounding of text files. Among several such
-//! faces, the first one of the same object is taken, or the first one if there is none. Where hardly any are
-//! found and the new model is as large as the old one in other units, or turned between y up and z up, it is
-//! compared so. \pre both have a mesh, and the state is valid \param stopped asked at least every 50 ms:
-//! after a stop the result is of no use; may be empty
+//! faces, the first one of the same object is taken, or the first one if there is none. Where most faces have
+//! none and the models have as many vertices, faces with the same vertices are counterparts: the model was
+//! moved or deformed, and some faces are gone. Where hardly any are found and the new model is as large as
+//! the old one in other units, or turned between y up and z up, it is compared so. \pre both have a mesh, and
+//! the state is valid \param stopped asked at least every 50 ms: after a stop the result is of no use; may be
+//! empty
 Relinked relinkDocument(const DocumentState &state, Scene newScene,
                         const std::function<bool()> &stopped = {});
 

@@ -203,13 +203,38 @@ void matchByPosition(const MeshData &before, const MeshData &after, double relat
     matchByVertices(before, after, counterpart, first, Several::None, match);
 }
 
+FaceMatch matchByNumbers(const MeshData &before, const MeshData &after)
+{
+    FaceMatch match = FaceMatch::none(before);
+    std::vector<int> same(static_cast<std::size_t>(after.vertexCount()));
+    std::iota(same.begin(), same.end(), 0);
+    matchByVertices(before, after, same, same, Several::InOrder, match);
+    return match;
+}
+
+bool areFew(const FaceMatch &match, const MeshData &before)
+{
+    return 2LL * match.count() < before.faceCount();
+}
+
 } // namespace
 
-FaceMatch matchFacesInPlace(const MeshData &before, const MeshData &after, double tolerance)
+FaceMatch FaceMatch::none(const MeshData &before)
 {
     FaceMatch match;
     match.face.assign(static_cast<std::size_t>(before.faceCount()), -1);
     match.corner.assign(static_cast<std::size_t>(before.cornerCount()), -1);
+    return match;
+}
+
+int FaceMatch::count() const
+{
+    return static_cast<int>(std::ranges::count_if(face, [](int other) { return other >= 0; }));
+}
+
+FaceMatch matchFacesInPlace(const MeshData &before, const MeshData &after, double tolerance)
+{
+    FaceMatch match = FaceMatch::none(before);
     matchByPosition(before, after, tolerance, match);
     return match;
 }
@@ -218,8 +243,14 @@ FaceMatch matchFaces(const MeshData &before, const MeshData &after, double toler
 {
     const bool same = before.vertexCount() == after.vertexCount() && before.faceStart == after.faceStart &&
                       before.cornerVertex == after.cornerVertex;
-    if (!same)
-        return matchFacesInPlace(before, after, tolerance);
+    if (!same) {
+        FaceMatch inPlace = matchFacesInPlace(before, after, tolerance);
+        if (before.vertexCount() != after.vertexCount() || !areFew(inPlace, before))
+            return inPlace;
+        // Moved or deformed, and some faces are gone or new.
+        FaceMatch byNumbers = matchByNumbers(before, after);
+        return areFew(byNumbers, before) ? inPlace : byNumbers;
+    }
     FaceMatch match;
     match.sameTopology = true;
     match.face.resize(static_cast<std::size_t>(before.faceCount()));

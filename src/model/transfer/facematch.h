@@ -13,6 +13,10 @@ struct FaceMatch
 {
     bool sameTopology = false; //!< the faces have the same vertex numbers in the same order
     std::vector<int> face, corner;
+
+    static FaceMatch none(const MeshData &before);
+    //! The number of faces that have counterparts.
+    int count() const;
 };
 
 //! Positions closer than this share of the largest coordinate are equal: text files often have six digits.
@@ -21,7 +25,9 @@ inline constexpr double equalPositions = 2e-6;
 //! Finds counterparts: faces with the same corners in the same winding at the same positions, whatever their
 //! numbers.
 FaceMatch matchFacesInPlace(const MeshData &before, const MeshData &after, double tolerance = equalPositions);
-//! Finds the counterparts by the rule of relinkDocument(). \param tolerance as equalPositions
+//! Finds the counterparts by the rule of relinkDocument(): by numbers where all faces have the same vertices,
+//! else in place, else, where most faces lie elsewhere, by numbers of vertices as far as faces have the same
+//! ones. \param tolerance as equalPositions
 FaceMatch matchFaces(const MeshData &before, const MeshData &after, double tolerance = equalPositions);
 
 } // namespace autocuts
