@@ -148,6 +148,7 @@ private Q_SLOTS:
     void movedAndFacesTakenAway_data();
     void movedAndFacesTakenAway();
     void aBoxThatFitsTurnedIsNotTurned();
+    void allFacesAreNewButNear();
     void facesAdded();
     void changedFacesTakeTheirUvsByPosition();
     void newFacesLieBesideTheMap();
@@ -318,20 +319,32 @@ void TestRelink::movedAndFacesTakenAway()
 void TestRelink::aBoxThatFitsTurnedIsNotTurned()
 {
     const test::MeshPtr sphere = test::sphere(12, 12);
-    const DocumentState state = test::layoutDocument(sphere)->state();
     Polygons polygons = polygonsOf(*sphere);
     for (Vec3 &point : polygons.points)
         point += Vec3(0.01, 0, 0); // no face has a counterpart
-    const std::vector<int> split = polygons.faces.front();
-    Vec3 middle = Vec3::Zero();
-    for (const int v : split)
-        middle += polygons.points[v] / double(split.size());
-    polygons.points.push_back(middle);
-    polygons.faces.front().back() = static_cast<int>(polygons.points.size()) - 1;
-    const Relinked relinked = relinkDocument(state, sceneOf(polygons));
+    polygons.points.push_back(Vec3(0, 0, 0));
+    const Relinked relinked = relinkDocument(test::layoutDocument(sphere)->state(), sceneOf(polygons));
     QCOMPARE(relinked.report.faces.kept, 0);
     QVERIFY(relinked.report.placement.isIdentity());
-    QVERIFY(relinked.report.placedFaces > sphere->faceCount() / 2);
+}
+
+//! They keep the density of the map, although no face says what that is.
+void TestRelink::allFacesAreNewButNear()
+{
+    const DocumentState state = test::layoutDocument(test::grid(4, 0.2))->state();
+    Polygons polygons = polygonsOf(*state.scene.mesh);
+    for (Vec3 &point : polygons.points)
+        point = 10 * point + Vec3(0, 0, 0.01);
+    polygons.points.push_back(Vec3(0, 0, 0));
+    DocumentState large = relinkDocument(state, sceneOf(polygons)).state;
+    for (Vec3 &point : polygons.points)
+        point.z() += 0.02;
+    polygons.points.push_back(Vec3(0, 0, 0));
+    large.scene.uvSets[0].uv = state.scene.uvSets[0].uv;
+    const Relinked relinked = relinkDocument(large, sceneOf(polygons));
+    QCOMPARE(relinked.report.faces.kept, 0);
+    QCOMPARE(relinked.report.besideFaces, 0);
+    QCOMPARE(relinked.report.placedFaces, 16);
 }
 
 void TestRelink::facesAdded()

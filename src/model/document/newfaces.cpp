@@ -74,12 +74,18 @@ private:
         return std::ranges::all_of(mMesh.triangles[t], [this](int c) { return mUv.row(c).allFinite(); });
     }
 
-    //! The density and size of the map of the other faces.
+    //! The density and size of the map of the other faces; where these have none, of all.
     void measure()
     {
+        const auto counts = [this](int t, bool all) {
+            return hasUv(t) && (all || !mAmong[mMesh.triangleFace[t]]);
+        };
+        bool all = true;
+        for (int t = 0; t < mMesh.triangleCount(); ++t)
+            all = all && !counts(t, false);
         double uvArea = 0, area = 0;
         for (int t = 0; t < mMesh.triangleCount(); ++t) {
-            if (!hasUv(t) || mAmong[mMesh.triangleFace[t]])
+            if (!counts(t, all))
                 continue;
             uvArea += std::abs(areaOf(triangle(t)));
             area += mMesh.triangleArea[t];
