@@ -238,9 +238,16 @@ void TestAlikeParts::unwrapCutsCopiesAlike()
     Snapshot snapshot = snapshotOf(mesh);
     unwrap::UnwrapOptions options;
     options.quality = unwrap::UnwrapQuality::Draft;
-    const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot, options);
+    double reported = 0; // while it searches: of all copies, as in the end
+    const JobContext job(nullptr, 1, [&](const JobProgress &progress) {
+        if (progress.stage != JobStage::Packing && progress.seamLength > 0)
+            reported = progress.seamLength;
+    });
+    const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot, options, job);
     QVERIFY(result.withinBound);
     QVERIFY(result.packed);
+    QVERIFY2(std::abs(reported / result.seamLength - 1) < 0.1,
+             qPrintable(QStringLiteral("%1, then %2").arg(reported).arg(result.seamLength)));
     const std::vector<double> seams = seamsOfParts(*mesh, result.cut);
     for (int copy = 2; copy <= 5; ++copy)
         QVERIFY2(std::abs(seams[copy] - seams[1]) < 1e-9, qPrintable(QString::number(seams[copy])));

@@ -313,6 +313,16 @@ SeamedMap AlikeParts::expanded(const SeamedMap &map, const JobContext &job) cons
     return whole;
 }
 
+double AlikeParts::seamLength(const CutFlags &cut, const Soup &whole) const
+{
+    double length = 0;
+    for (std::size_t e = 0; e < mWhole->edgePairs.size(); ++e) {
+        if (!mWhole->edgePairs[e].diagonal && cut[mSourceEdge[e]])
+            length += whole.pairLength[2 * e];
+    }
+    return length;
+}
+
 //! Per connected component of the whole mesh: the component of the part that it is a copy of.
 std::vector<int> AlikeParts::kinds() const
 {

@@ -29,6 +29,8 @@ public:
     //! Parts that are nearly copies, by up to 5 %, are relaxed, so that their flat faces keep their own
     //! shape. \param map of the mesh of snapshot()
     SeamedMap expanded(const SeamedMap &map, const JobContext &job = {}) const;
+    //! The seams of the expanded map. \param cut of the mesh of snapshot() \param whole the soup of all parts
+    double seamLength(const CutFlags &cut, const Soup &whole) const;
 
     //! A map of the whole mesh in which all copies of a part have the map of one of them: that with the
     //! cheapest seams, or where that misses the bound, one with less stretch. \param preferred of the whole

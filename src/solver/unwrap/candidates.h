@@ -52,12 +52,17 @@ public:
             return;
         measures.map = makeMap();
         mBest = std::move(measures);
-        noteFound(mBest->distortion, mBest->seamLength);
+        noteFound(mBest->distortion, mReported ? mReported(*mBest) : mBest->seamLength);
         if (mWatcher)
             mWatcher(*mBest);
     }
     //! Also shows every map that is the best so far to the callback, one at a time.
     void setWatcher(std::function<void(const Candidate &)> watcher) { mWatcher = std::move(watcher); }
+    //! The seam length to report of the best map, where that stands for a larger one.
+    void setReported(std::function<double(const Candidate &)> seamLength)
+    {
+        mReported = std::move(seamLength);
+    }
     //! The best map that was offered; nothing when there was none.
     std::optional<Candidate> best() const
     {
@@ -78,6 +83,7 @@ private:
     const JobContext &mJob;
     mutable std::mutex mMutex;
     std::function<void(const Candidate &)> mWatcher;
+    std::function<double(const Candidate &)> mReported;
     std::optional<Candidate> mBest;
     int mTotalSteps = 1, mSteps = 0;
     JobProgress mProgress;

@@ -139,6 +139,7 @@ std::optional<FoundMap> findOneOfEachKind(const std::shared_ptr<const Soup> &sou
     // Room for what copies differ by.
     own.maxDistortion -= copyTolerance * (own.maxDistortion - 4);
     Ranking ranking(own, job);
+    ranking.setReported([&](const Candidate &best) { return parts->seamLength(best.map.cut, *soup); });
     PrepareMap prepareWhole;
     if (prepare) {
         prepareWhole = [&](ReadyResult::MakeMap make) {

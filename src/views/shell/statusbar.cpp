@@ -177,6 +177,7 @@ void StatusBar::connectAll()
     connect(&mContext.solver, &SolverController::statusChanged, this, &StatusBar::refreshSoon);
     connect(&mContext.solver, &SolverController::stateChanged, this, &StatusBar::refreshSoon);
     connect(&mContext.map, &MapController::figuresChanged, this, &StatusBar::refreshSoon);
+    connect(&mContext.shownMap, &ShownMap::changed, this, &StatusBar::refreshSoon);
     connect(&mContext.pictures, &ModelPictures::loadingChanged, this, [this] {
         mLoadingLong = false;
         if (mContext.pictures.isLoading())
@@ -298,7 +299,9 @@ void StatusBar::showLiveFigures()
 
 void StatusBar::showMapFigures()
 {
-    const MapFigures *figures = mContext.map.figuresAreFresh() ? mContext.map.figures() : nullptr;
+    // The map of a job that is shown has not been measured.
+    const bool known = mContext.map.figuresAreFresh() && !mContext.map.isPreviewing();
+    const MapFigures *figures = known ? mContext.map.figures() : nullptr;
     const Document *document = mContext.workspace.document();
     for (int number = 0; number < FigureCount; ++number)
         mFigures->setFigure(number, missingText());
