@@ -13,9 +13,12 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! Share of the stretch of rigid regions below which it counts as the same, and the gain in mean distortion
-//! that counts: what an edit changes near it is little of the whole. Chosen by hand.
-constexpr double sameFlatness = 0.01, leastGain = 1e-5;
+//! Rigid regions of two maps are equally flat where their stretch, with its stiffness of 100, differs by less
+//! than this share, or by less than this much: a mean distortion of .001, which nobody sees. Chosen by hand.
+constexpr double sameFlatness = 0.01, unseenBend = 0.1;
+//! The gain in mean distortion that counts: what an edit changes near it is little of the whole. Chosen by
+//! hand.
+constexpr double leastGain = 1e-5;
 
 bool hasClosedCuts(const Snapshot &part)
 {
@@ -86,7 +89,8 @@ std::optional<StandingMap> standingMap(const Snapshot &snapshot, const FreePart 
 bool beats(Candidate map, Candidate standing, double maxDistortion)
 {
     // Rigid regions that are as flat in both do not decide.
-    if (std::abs(map.bounded - standing.bounded) <= sameFlatness * (standing.bounded - 4)) {
+    if (std::abs(map.bounded - standing.bounded) <=
+        std::max(sameFlatness * (standing.bounded - 4), unseenBend)) {
         map.bounded = map.distortion;
         standing.bounded = standing.distortion;
     }
