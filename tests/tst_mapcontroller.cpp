@@ -512,10 +512,16 @@ private Q_SLOTS:
         studio.map.unwrap(UnwrapQuality::Draft);
         studio.layOut(false);
         const UvMatrix edited = studio.document().uv();
-        QVERIFY(studio.ends());
+        QVERIFY(!studio.map.jobs().isBusy()); // it does not go on for nothing
+        QVERIFY(!studio.map.isPreviewing());
         QCOMPARE(studio.failed.count(), 1);
         QVERIFY(studio.document().uv() == edited);
         QCOMPARE(studio.stack().count(), 1);
+        studio.map.unwrap(UnwrapQuality::Best);
+        QVERIFY(studio.map.jobs().isBusy());
+        studio.stack().undo();
+        QVERIFY(!studio.map.jobs().isBusy());
+        QCOMPARE(studio.failed.count(), 2);
     }
 
     void cancelKeepsTheBestSoFar()

@@ -99,6 +99,7 @@ MapController::MapController(Workspace &workspace, SolverController &solver, Sho
         mFigureChanges += stacks || sizes || sharing;
         if (mAgain && mJobs.isBusy())
             mAgainSoon.start();
+        endUselessJob();
         if (textureSize || stacks || sizes || sharing || event.type == ChangeEvent::Type::Uv ||
             event.type == ChangeEvent::Type::UvSet) {
             mMeasureSoon.start();
@@ -143,6 +144,7 @@ void MapController::startJob(const QString &title,
         return;
     mAgain = nullptr;
     mThen = nullptr;
+    mReplacesMap = false;
     mSolver.whenPaused([this, title, work = std::move(work)] {
         if (!mWorkspace.document() || mJobs.isBusy())
             return;
@@ -270,6 +272,19 @@ void MapController::beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, c
         return ofReach(unwrapJob(limited(input, reach, faces), quality, better, control), reach);
     });
     mAgain = [this, quality, reach, faces] { beginUnwrap(quality, reach, faces); };
+    mReplacesMap = true;
+}
+
+//! Where the map was edited, by undo for example, a job's map would not be used in the end.
+void MapController::endUselessJob()
+{
+    if (!mReplacesMap || !mJobs.isBusy() || mWorkspace.hasMapOf(mGiven))
+        return;
+    mAgain = nullptr;
+    mThen = nullptr;
+    const QString title = mJobs.title();
+    mJobs.abandon();
+    Q_EMIT failed(tr("%1 was ended: the map was edited meanwhile").arg(title));
 }
 
 //! Begins the job again with the document as it is now, also when it has just ended.
@@ -303,6 +318,7 @@ void MapController::finish(JobReach wanted)
              [reach = *reach, faces = facesOf(*reach)](const MapInput &input, JobControl &control) {
                  return ofReach(finishJob(limited(input, reach, faces), control), reach);
              });
+    mReplacesMap = true;
 }
 
 void MapController::pack(PackScope scope)

@@ -41,8 +41,9 @@ enum class PackScope { All, Selection };
 enum class JobReach { All, Shown, SelectionAttached, SelectionFree };
 
 //! Starts jobs on copies of the document and pushes each result as one command. A running live solve is
-//! paused first. When the map was edited meanwhile, the result is discarded and the user is told. Unwrapping
-//! shows its best map, and begins again when the steering or the layout settings are edited meanwhile.
+//! paused first. When the map is edited meanwhile, the result is discarded and the user is told; unwrapping
+//! and finishing end at once. Unwrapping shows its best map, and begins again when the steering or the layout
+//! settings are edited meanwhile.
 class MapController final : public QObject
 {
     Q_OBJECT
@@ -151,6 +152,7 @@ private:
     void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work);
     void beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces);
     void takeUpEdits();
+    void endUselessJob();
     void applyResult(const MapJobResult &result);
     void startLightBake(const jobs::LightChoice &choice,
                         const std::function<void(int tile, const QImage &picture)> &shown);
@@ -165,6 +167,7 @@ private:
     JobPreview mPreview;
     StateToken mGiven;            //!< token of the state that the job was given
     std::function<void()> mAgain; //!< begins the job again; null: it does not take up edits
+    bool mReplacesMap = false;    //!< the running job makes a map in place of the document's
     QTimer mAgainSoon;            //!< one new beginning for all edits of a gesture
     bool mBeginsAgain = false;
     unwrap::UnwrapQuality mQuality = unwrap::UnwrapQuality::Standard;
