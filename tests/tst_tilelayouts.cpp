@@ -392,6 +392,84 @@ private Q_SLOTS:
         }
     }
 
+    void finishingComesToAnEnd_data()
+    {
+        QTest::addColumn<bool>("symmetry");
+        QTest::newRow("symmetric") << true;
+        QTest::newRow("a rectangle") << false;
+    }
+
+    //! Finishing again and again leaves the map as it is in the end, to the last bit.
+    void finishingComesToAnEnd()
+    {
+        QFETCH(bool, symmetry);
+        Snapshot snapshot;
+        snapshot.mesh = symmetry ? test::sphere(10, 12) : makeSample(u"machine"_s).value().mesh;
+        snapshot.keepTiles = true;
+        snapshot.settings.symmetry = symmetry;
+        unwrap::UnwrapOptions draft;
+        draft.quality = unwrap::UnwrapQuality::Draft;
+        UvMatrix uv = unwrap::unwrapMesh(snapshot, draft).uv;
+        snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
+        if (!symmetry) { // around one of the islands
+            const ChartMap charts = findCharts(*snapshot.mesh, uv);
+            UvRectangle rectangle;
+            Eigen::AlignedBox2d box;
+            for (int s = 0; s < snapshot.mesh->soupCornerCount(); ++s) {
+                if (charts.faceChart[snapshot.mesh->triangleFace[s / 3]] != 0)
+                    continue;
+                rectangle.soupCorners.push_back(s);
+                box.extend(Vec2(uv.row(snapshot.mesh->cornerOfSoup(s))));
+            }
+            rectangle.lower = (box.min() - Vec2::Constant(0.001)) / snapshot.uvScale;
+            rectangle.upper = (box.max() + Vec2::Constant(0.001)) / snapshot.uvScale;
+            rectangle.hard = true;
+            snapshot.editSteering().rectangles.push_back(rectangle);
+        }
+        unwrap::FinishResult made;
+        for (int round = 0; round < 4 && !made.nothingGained; ++round) {
+            snapshot.uv = std::make_shared<const UvMatrix>(uv);
+            made = unwrap::finishMap({.snapshot = snapshot});
+            uv = made.uv;
+        }
+        QVERIFY(made.nothingGained);
+        QVERIFY(uv == *snapshot.uv);
+    }
+
+    //! Where islands only have to move, they keep their shapes unless better ones are known.
+    void islandsThatHaveToMoveKeepTheirShapes()
+    {
+        Machine machine;
+        QVERIFY(machine.ok);
+        Snapshot &snapshot = machine.snapshot;
+        unwrap::FinishResult made = unwrap::finishMap({.snapshot = snapshot});
+        for (int round = 0; round < 4 && !made.nothingGained; ++round) {
+            machine.setUv(made.uv);
+            made = unwrap::finishMap({.snapshot = snapshot});
+        }
+        QVERIFY(made.nothingGained);
+        // The largest island onto the others.
+        UvMatrix uv = *snapshot.uv;
+        const metrics::UvMetrics before = metrics::measureUv(*snapshot.mesh, uv);
+        const ChartMap charts = findCharts(*snapshot.mesh, uv);
+        for (int face = 0; face < snapshot.mesh->faceCount(); ++face) {
+            for (int c = snapshot.mesh->faceStart[face];
+                 charts.faceChart[face] == 0 && c < snapshot.mesh->faceStart[face + 1]; ++c)
+                uv.row(c) += Eigen::RowVector2d(0.1, 0.05);
+        }
+        QVERIFY(metrics::measureUv(*snapshot.mesh, uv).overlapPairs > 0);
+        machine.setUv(uv);
+        made = unwrap::finishMap({.snapshot = snapshot});
+        const metrics::UvMetrics after = metrics::measureUv(*snapshot.mesh, made.uv);
+        QCOMPARE(after.overlapPairs, 0);
+        QVERIFY2(after.seamNorm < (1 + 1e-9) * before.seamNorm &&
+                     after.tileDirichlet < before.tileDirichlet + 1e-4,
+                 qPrintable(u"%1, D %2 to %3, D %4"_s.arg(before.seamNorm)
+                                .arg(before.tileDirichlet)
+                                .arg(after.seamNorm)
+                                .arg(after.tileDirichlet)));
+    }
+
     //! A map that Finish cannot better stays, but not where something else is asked for.
     void whatIsAskedForAnewIsDone()
     {

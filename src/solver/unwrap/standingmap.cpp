@@ -3,6 +3,7 @@
 #include "model/plain/uvseams.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
+#include "solver/preference/meshsymmetry.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/packjob.h"
 
@@ -39,8 +40,20 @@ bool asksForMore(const Snapshot &snapshot, const FreePart &part)
 {
     const SolveSettings &asked = snapshot.settings;
     const std::vector<Pin> &pins = snapshot.steering->pins;
-    return asked.symmetry || asked.energy != DistortionEnergy::SymmetricDirichlet ||
-           !std::ranges::all_of(pins, &Pin::hard) || !straight::StraightPlan::of(part.snapshot()).isEmpty();
+    return asked.energy != DistortionEnergy::SymmetricDirichlet || !std::ranges::all_of(pins, &Pin::hard) ||
+           !straight::StraightPlan::of(part.snapshot()).isEmpty();
+}
+
+//! True when every cut edge that has a mirror image is cut there as well.
+bool isSymmetric(const MeshData &mesh, const CutFlags &cut)
+{
+    const std::optional<preference::MeshSymmetry> symmetry = preference::findSymmetry(mesh);
+    for (std::size_t e = 0; symmetry && e < cut.size(); ++e) {
+        const int mirror = symmetry->mirrorEdge[e];
+        if (cut[e] && mirror >= 0 && !cut[mirror])
+            return false;
+    }
+    return true;
 }
 
 //! True when islands are in their rectangles and tiles, overlap nothing, and have no reason to grow.
@@ -78,7 +91,7 @@ std::optional<StandingMap> standingMap(const Snapshot &snapshot, const FreePart 
     if (!snapshot.uv || asksForMore(snapshot, part) || hasClosedCuts(part.snapshot()))
         return std::nullopt;
     std::optional<Candidate> worth = worthOf(part, soup, problem, *snapshot.uv);
-    if (!worth)
+    if (!worth || (snapshot.settings.symmetry && !isSymmetric(*soup->mesh, worth->map.cut)))
         return std::nullopt;
     const bool inPlace = liesInPlace(snapshot, packing, job);
     if (job.stopped())

@@ -21,8 +21,9 @@ struct StandingMap
 };
 
 //! The snapshot's map, if its islands may keep their shapes: it is valid, edges are open that are to be cut,
-//! and nothing is asked for that the worth does not measure: straight lines, symmetry, another energy, soft
-//! pins. Whether it obeys pins, joins and given seams, unmetSteering() tells. Nothing when stopped.
+//! its cuts are symmetric where that is asked for, and nothing else is asked for that the worth does not
+//! measure: straight lines, another energy, soft pins. Whether it obeys pins, joins and given seams,
+//! unmetSteering() tells. Nothing when stopped.
 [[nodiscard]] std::optional<StandingMap>
 standingMap(const Snapshot &snapshot, const FreePart &part, const std::shared_ptr<const Soup> &soup,
             const Snapshot &problem, const packing::PackOptions &packing, const JobContext &job = {});

@@ -49,13 +49,19 @@ QString stageText(const JobProgress &progress, double bound)
 //! Number of charts that a pack may move.
 int packedCharts(const ChartMap &charts, const unwrap::PackJob &pack)
 {
-    std::vector<bool> packed(charts.count);
+    std::vector<bool> packed(charts.count), stays(charts.count);
     for (std::size_t f = 0; f < pack.movable.size(); ++f) {
         const bool locked = !pack.faceFlags.empty() && pack.faceFlags[f].locked != 0;
-        if (charts.faceChart[f] >= 0 && pack.movable[f] && !locked)
-            packed[charts.faceChart[f]] = true;
+        const int chart = charts.faceChart[f];
+        if (chart < 0)
+            continue;
+        packed[chart] = packed[chart] || pack.movable[f];
+        stays[chart] = stays[chart] || locked || (!pack.stays.empty() && pack.stays[f]);
     }
-    return static_cast<int>(std::count(packed.begin(), packed.end(), true));
+    int count = 0;
+    for (int chart = 0; chart < charts.count; ++chart)
+        count += packed[chart] && !stays[chart];
+    return count;
 }
 
 QString noRoom(const PackingSettings &packing)
@@ -369,6 +375,11 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
         result.problem = JobTexts::tr("Select the islands to pack first");
         return result;
     }
+    const int count = packedCharts(charts, pack);
+    if (count == 0) {
+        result.problem = JobTexts::tr("Nothing may move: the islands are locked or pinned");
+        return result;
+    }
     if (target.density > 0 || target.fillTiles)
         return distribute(input, charts, pack, target, control);
     if (target.box)
@@ -383,7 +394,7 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
     UvMatrix uv = input.uv;
     if (unwrap::packCharts(mesh, charts, pack, uv, contextOf(control))) {
         result.uv = std::move(uv);
-        result.message = JobTexts::tr("Islands packed: %1").arg(packedCharts(charts, pack));
+        result.message = JobTexts::tr("Islands packed: %1").arg(count);
     } else {
         result.problem = control.stop() ? JobTexts::tr("Packing was cancelled: the map stays as it was")
                          : target.box
