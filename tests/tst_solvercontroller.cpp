@@ -176,6 +176,27 @@ private Q_SLOTS:
         QVERIFY2(metrics.seamNorm < 12, qPrintable(QString::number(metrics.seamNorm)));
     }
 
+    //! A run that finds nothing better says so when it ends.
+    void aRunThatGainsNothingSaysSo()
+    {
+        Studio studio("torus");
+        studio.solver.setMode(SolveMode::Budget);
+        const QSignalSpy said(&studio.solver, &SolverController::said);
+        const auto ends = [&] {
+            studio.solver.run();
+            return QTest::qWaitFor([&] { return !studio.solver.isRunning() && !studio.solver.isPausing(); },
+                                   test::patience);
+        };
+        QVERIFY(ends());
+        QCOMPARE(said.count(), 0);
+        for (int round = 0; round < 5 && said.isEmpty(); ++round) {
+            const int entries = studio.stack().count();
+            QVERIFY(ends());
+            QCOMPARE(said.count(), studio.stack().count() == entries ? 1 : 0);
+        }
+        QCOMPARE(said.count(), 1);
+    }
+
     void steeringByHandGoesOnFromTheBudget()
     {
         Studio studio;

@@ -414,11 +414,12 @@ void SolverController::endPause(bool withAnyMap)
     if (!mPausing || !(obeys || withAnyMap))
         return;
     mKeeper->pause();
+    bool changed = true;
     if (map) {
         Document &document = *mWorkspace.document();
         // Pushing does not invalidate the state of the solver: it belongs to the document's new map now.
         mToken.reset();
-        pushCommand(newMapCommand(document, UvEdit::Solve, map->uv));
+        changed = pushCommand(newMapCommand(document, UvEdit::Solve, map->uv));
         mToken = document.token();
         mWorker->setToken(*mToken);
         mKeeper->setToken(*mToken);
@@ -427,6 +428,8 @@ void SolverController::endPause(bool withAnyMap)
     setRunning(false, false);
     if (map)
         tellProblems();
+    if (!changed && mMapRests)
+        Q_EMIT said(tr("The solve has ended: no better map was found, it stays as it was"));
     for (const auto &then : std::exchange(mWhenPaused, {}))
         then();
 }

@@ -114,6 +114,8 @@ Q_SIGNALS:
     void workerRests();
     //! \param message translated, one line
     void failed(const QString &message);
+    //! A solve has ended by itself and left the map as it was. \param message translated, one line
+    void said(const QString &message);
     //! The map that a pause put into the document does not obey the user in all.
     //! \param message translated, one line \param items what it is about; empty: nothing in particular
     void foundProblems(const QString &message, const autocuts::Selection &items);

@@ -327,6 +327,7 @@ void MainWindow::connectMessages()
     connect(&mMap, &MapController::done, &mFiles, &FileController::saveChangesForRecovery);
     connect(&mMap, &MapController::failed, &mFiles, &FileController::saveChangesForRecovery);
     connect(&mStudioActions->islands(), &IslandActions::said, this, say);
+    connect(&mSolver, &SolverController::said, this, say);
     connect(&mFiles, &FileController::done, this, say);
     connect(mLink.get(), &LinkController::said, this, say);
     connect(mLink.get(), &LinkController::failed, mNotice,
