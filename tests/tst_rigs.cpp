@@ -19,6 +19,7 @@
 #include <assimp/scene.h>
 
 #include <cmath>
+#include <map>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -184,6 +185,30 @@ private Q_SLOTS:
         QVERIFY((up * Vec3(end.x, end.y, end.z) - Vec3(1, 3, 7)).norm() < 1e-4);
         QVERIFY(
             !exportLosses(readMesh(at(u"r.glb"_s)).value(), u"dae"_s).join(u' ').contains(u"rest pose"_s));
+    }
+
+    //! Blender shows bones that have no key as they were bound.
+    void stillBonesInCollada()
+    {
+        gltffiles::FileBuilder file = rig();
+        animate(file, 1, {0, 1, 0, 0, 1, 4});
+        QVERIFY(convert(file, u"dae"_s));
+        const Scene dae = readMesh(at(u"r.dae"_s)).value();
+        const aiScene &scene = assimpScene(dae);
+        QCOMPARE(scene.mNumAnimations, 1U);
+        const aiAnimation &animation = *scene.mAnimations[0];
+        std::map<std::string, const aiNodeAnim *> channels;
+        for (unsigned c = 0; c < animation.mNumChannels; ++c)
+            channels[animation.mChannels[c]->mNodeName.C_Str()] = animation.mChannels[c];
+        QCOMPARE(channels.size(), 2U);
+        QVERIFY(channels.contains("tip"));
+        const aiNodeAnim &tip = *channels["tip"];
+        QCOMPARE(tip.mNumPositionKeys, 1U);
+        const aiNode *node = scene.mRootNode->FindNode("tip");
+        aiVector3D scaling, place;
+        aiQuaternion turn;
+        node->mTransformation.Decompose(scaling, turn, place);
+        QVERIFY((tip.mPositionKeys[0].mValue - place).Length() < 1e-5F);
     }
 
     //! What moves a skeleton is one of its bones.

@@ -2023,6 +2023,14 @@
         <source>some programs show a Collada model without animations in its rest pose</source>
         <translation>manche Programme zeigen ein Collada-Modell ohne Animationen in seiner Ruhepose</translation>
     </message>
+    <message>
+        <source>the dual quaternions by which bones bend meshes are lost: bent shapes differ</source>
+        <translation>die dualen Quaternionen, mit denen Knochen Netze biegen, gehen verloren: gebogene Formen weichen ab</translation>
+    </message>
+    <message>
+        <source>scales are passed on to all that is below: the file has another rule for some objects, whose shapes can differ</source>
+        <translation>Skalierungen gehen auf alles darunter über: Für einige Objekte, deren Formen abweichen können, hat die Datei eine andere Regel</translation>
+    </message>
 </context>
 <context>
     <name>FileErrors</name>

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -25,14 +26,23 @@ namespace {
 //! angle. Chosen by hand.
 constexpr double farthestTurn = 0.25; //!< radians
 
-//! What a channel moves: "id of the node/sid of its matrix", by the name of the node.
-std::map<std::string, std::string> targetsIn(const XmlElement &element)
+//! What a channel moves.
+struct Target
 {
-    std::map<std::string, std::string> targets;
+    std::string path; //!< "id of the node/sid of its matrix"
+    bool isBone = false;
+    std::string matrix; //!< of the node, as it stands in the text
+};
+
+//! The targets by the name of the node.
+std::map<std::string, Target> targetsIn(const XmlElement &element)
+{
+    std::map<std::string, Target> targets;
     const XmlElement *matrix = element.name == "node" ? element.child("matrix") : nullptr;
     if (matrix)
-        targets[resolved(element.attribute("name"))] =
-            std::string(element.attribute("id")) + '/' + std::string(matrix->attribute("sid"));
+        targets[resolved(element.attribute("name"))] = {
+            std::string(element.attribute("id")) + '/' + std::string(matrix->attribute("sid")),
+            element.attribute("type") == "JOINT", std::string(matrix->content)};
     for (const XmlElement &child : element.children)
         targets.merge(targetsIn(child));
     return targets;
@@ -149,27 +159,34 @@ std::string source(const std::string &id, const std::string &values, std::size_t
            "\"/>\n            </accessor>\n          </technique_common>\n        </source>\n";
 }
 
-//! One channel as an element of its own. \param target of the channel
-std::string animated(const Motion &motion, double perSecond, const std::string &target, const std::string &id)
+//! One channel as an element of its own. \param places a matrix for each time \param target of the channel
+std::string animated(const std::vector<double> &seconds, const std::string &places, const std::string &target,
+                     const std::string &id)
 {
-    std::vector<double> seconds, matrices;
-    std::string ways;
-    for (const double time : motion.times()) {
-        seconds.push_back(time / perSecond);
-        const Eigen::Matrix4d rows = motion.at(time).matrix().transpose();
-        matrices.insert(matrices.end(), rows.data(), rows.data() + 16);
-        ways += ways.empty() ? "LINEAR" : " LINEAR";
-    }
     const std::size_t count = seconds.size();
+    std::string ways = "LINEAR";
+    for (std::size_t k = 1; k < count; ++k)
+        ways += " LINEAR";
     return "      <animation id=\"" + id + "\">\n" +
            source(id + "-times", numbers(seconds), count, 1, "TIME", "float") +
-           source(id + "-places", numbers(matrices), count, 16, "TRANSFORM", "float4x4") +
+           source(id + "-places", places, count, 16, "TRANSFORM", "float4x4") +
            source(id + "-ways", ways, count, 0, "INTERPOLATION", "name") + "        <sampler id=\"" + id +
            "-sampler\">\n          <input semantic=\"INPUT\" source=\"#" + id +
            "-times\"/>\n          <input semantic=\"OUTPUT\" source=\"#" + id +
            "-places\"/>\n          <input semantic=\"INTERPOLATION\" source=\"#" + id +
            "-ways\"/>\n        </sampler>\n        <channel source=\"#" + id + "-sampler\" target=\"" +
            target + "\"/>\n      </animation>\n";
+}
+
+std::string animated(const Motion &motion, double perSecond, const std::string &target, const std::string &id)
+{
+    std::vector<double> seconds, matrices;
+    for (const double time : motion.times()) {
+        seconds.push_back(time / perSecond);
+        const Eigen::Matrix4d rows = motion.at(time).matrix().transpose();
+        matrices.insert(matrices.end(), rows.data(), rows.data() + 16);
+    }
+    return animated(seconds, numbers(matrices), target, id);
 }
 
 bool isSkinned(const aiScene &scene, const aiNode &node)
@@ -187,10 +204,11 @@ std::string withAnimations(std::string_view text, const aiScene &scene, const No
     const XmlElement *scenes = root ? root->child("library_visual_scenes") : nullptr;
     if (!scenes)
         return std::string(text);
-    const std::map<std::string, std::string> targets = targetsIn(*scenes);
+    std::map<std::string, Target> targets = targetsIn(*scenes);
     const aiAnimation &animation = *scene.mAnimations[0];
     const double perSecond = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : 25;
     std::string channels;
+    double start = std::numeric_limits<double>::max(); // in ticks
     for (unsigned c = 0; c < animation.mNumChannels; ++c) {
         const aiNodeAnim &channel = *animation.mChannels[c];
         const aiNode *node = scene.mRootNode->FindNode(channel.mNodeName);
@@ -199,11 +217,20 @@ std::string withAnimations(std::string_view text, const aiScene &scene, const No
         const Motion motion(channel, node ? *node : *scene.mRootNode,
                             before == changes.before.end() ? Eigen::Matrix4d::Identity() : before->second);
         if (node && target != targets.end() && !isSkinned(scene, *node) && !motion.times().empty() &&
-            !changes.still.contains(channel.mNodeName.C_Str()))
-            channels += animated(motion, perSecond, target->second, "motion" + std::to_string(c));
+            !changes.still.contains(channel.mNodeName.C_Str())) {
+            channels += animated(motion, perSecond, target->second.path, "motion" + std::to_string(c));
+            targets.erase(target);
+            start = std::min(start, motion.times().front());
+        }
     }
     if (channels.empty())
         return std::string(text);
+    std::size_t still = 0;
+    for (const auto &[name, target] : targets) {
+        if (target.isBone)
+            channels +=
+                animated({start / perSecond}, target.matrix, target.path, "still" + std::to_string(still++));
+    }
     const std::string library = "<library_animations>\n    <animation id=\"motion\">\n" + channels +
                                 "    </animation>\n  </library_animations>\n  ";
     return edited(text, {{scenes->whole.data(), scenes->whole.data(), library}});

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <span>
 #include <string>
 
@@ -104,6 +105,16 @@ aiBone *boneOf(const aiString &name, const std::vector<unsigned> &vertices)
     return bone;
 }
 
+bool hasChannel(const aiScene &scene, const aiString &node)
+{
+    for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
+        const std::span channels(scene.mAnimations[a]->mChannels, scene.mAnimations[a]->mNumChannels);
+        if (std::ranges::any_of(channels, [&node](const aiNodeAnim *c) { return c->mNodeName == node; }))
+            return true;
+    }
+    return false;
+}
+
 //! Adds a bone without weights.
 void addBareBone(aiMesh &mesh, const aiNode &node, const aiMatrix4x4 &offset)
 {
@@ -156,6 +167,21 @@ std::set<std::string> boneNames(const aiScene &scene)
     return names;
 }
 
+std::set<std::string> bareBones(const aiScene &scene, const std::set<std::string> &limbs)
+{
+    const std::set<std::string> bones = boneNames(scene);
+    std::set<std::string> bare;
+    for (const std::string &limb : limbs) {
+        const aiNode *node = scene.mRootNode->FindNode(limb.c_str());
+        bool isBare = node && node->mNumMeshes == 0 && !isView(scene, *node) && !isAboveBone(*node, bones);
+        for (const aiNode *above = node; above && isBare; above = above->mParent)
+            isBare = !bones.contains(above->mName.C_Str());
+        if (isBare)
+            bare.insert(limb);
+    }
+    return bare;
+}
+
 bool isView(const aiScene &scene, const aiNode &node)
 {
     const auto is = [&node](const auto *view) { return view->mName == node.mName; };
@@ -202,12 +228,13 @@ std::optional<Eigen::Affine3d> bindPlace(const aiScene &scene, const aiMesh &mes
     return best;
 }
 
-void bindAtParent(const aiScene &scene, aiNode &node, const std::vector<aiMesh *> &meshes, bool boundHere)
+void bindAtParent(const aiScene &scene, aiNode &node, const std::vector<aiMesh *> &meshes,
+                  const Eigen::Matrix4d *known)
 {
     std::optional<Eigen::Affine3d> place =
         meshes.empty() ? std::nullopt : bindPlace(scene, *meshes.front(), worldOf(node));
-    if (place && boundHere)
-        place = worldOf(node);
+    if (place && known)
+        place = Eigen::Affine3d(*known);
     const auto isSkinned = [](const aiMesh *mesh) { return mesh->mNumBones > 0; };
     if (!place || node.mNumChildren > 0 || !std::ranges::all_of(meshes, isSkinned))
         return;
@@ -244,6 +271,36 @@ void weighAll(const aiScene &scene, const aiNode &node, const std::vector<aiMesh
             addChild(*top->mParent, rest);
         }
         addBone(*mesh, boneOf(rest->mName, bare));
+    }
+}
+
+void bindToBone(const aiScene &animated, const aiNode &node, const std::vector<aiMesh *> &meshes,
+                const std::set<std::string> &bones)
+{
+    const bool isFree = std::ranges::all_of(meshes, [](const aiMesh *mesh) { return mesh->mNumBones == 0; });
+    if (!isFree || node.mNumChildren > 0 || bones.contains(node.mName.C_Str()))
+        return;
+    aiMatrix4x4 place;
+    const aiNode *above = &node;
+    for (; above && !bones.contains(above->mName.C_Str()); above = above->mParent) {
+        if (hasChannel(animated, above->mName))
+            return;
+        place = above->mTransformation * place;
+    }
+    for (aiMesh *mesh : meshes) {
+        if (!above)
+            return;
+        std::vector<unsigned> all(mesh->mNumVertices);
+        std::iota(all.begin(), all.end(), 0U);
+        aiBone *bone = boneOf(above->mName, all);
+        bone->mOffsetMatrix = place;
+        addBone(*mesh, bone);
+        aiMatrix4x4 offset = place;
+        for (const aiNode *limb = above; limb->mParent && bones.contains(limb->mParent->mName.C_Str());
+             limb = limb->mParent) {
+            offset = limb->mTransformation * offset;
+            addBareBone(*mesh, *limb->mParent, offset);
+        }
     }
 }
 

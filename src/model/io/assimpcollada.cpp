@@ -39,12 +39,17 @@ double numberIn(const XmlElement &parent, std::string_view name)
     return read ? value : 0;
 }
 
+void setClipping(aiCamera &camera, const XmlElement &optics)
+{
+    if (const double near = numberIn(optics, "znear"); near > 0)
+        camera.mClipPlaneNear = static_cast<float>(near);
+    if (const double far = numberIn(optics, "zfar"); far > 0)
+        camera.mClipPlaneFar = static_cast<float>(far);
+}
+
 void setView(aiCamera &camera, const XmlElement &perspective)
 {
-    if (const double near = numberIn(perspective, "znear"); near > 0)
-        camera.mClipPlaneNear = static_cast<float>(near);
-    if (const double far = numberIn(perspective, "zfar"); far > 0)
-        camera.mClipPlaneFar = static_cast<float>(far);
+    setClipping(camera, perspective);
     const auto halfTangent = [&](std::string_view name) {
         const double angle = numberIn(perspective, name);
         return angle > 0 && angle < 180 ? std::tan(angle * std::numbers::pi / 360) : 0;
@@ -58,6 +63,17 @@ void setView(aiCamera &camera, const XmlElement &perspective)
         return;
     camera.mAspect = static_cast<float>(aspect);
     camera.mHorizontalFOV = static_cast<float>(2 * std::atan(tangent));
+}
+
+void setWidth(aiCamera &camera, const XmlElement &orthographic)
+{
+    const double wide = numberIn(orthographic, "xmag"), high = numberIn(orthographic, "ymag");
+    double aspect = numberIn(orthographic, "aspect_ratio");
+    if (!(aspect > 0))
+        aspect = wide > 0 && high > 0 ? wide / high : 16.0 / 9;
+    camera.mAspect = static_cast<float>(aspect);
+    camera.mOrthographicWidth = static_cast<float>(wide > 0 ? wide : aspect * high);
+    setClipping(camera, orthographic);
 }
 
 //! Renames nodes and all that names them.
@@ -160,12 +176,12 @@ void completeColladaNodes(aiScene &scene, std::string_view text)
     if (!root || !scene.mRootNode)
         return;
     std::map<std::string, std::string> names;
-    std::map<std::string, const XmlElement *, std::less<>> perspectives; // by the id of a camera
+    std::map<std::string, const XmlElement *, std::less<>> optics; // by the id of a camera
     eachElement(*root, [&](const XmlElement &element) {
         if (element.name == "camera") {
             eachElement(element, [&](const XmlElement &inside) {
-                if (inside.name == "perspective")
-                    perspectives[resolved(element.attribute("id"))] = &inside;
+                if (inside.name == "perspective" || inside.name == "orthographic")
+                    optics[resolved(element.attribute("id"))] = &inside;
             });
         } else if (element.name == "node" && !element.attribute("name").empty()) {
             for (const char *key : {"sid", "id"}) {
@@ -177,11 +193,11 @@ void completeColladaNodes(aiScene &scene, std::string_view text)
     eachElement(*root, [&](const XmlElement &element) {
         const XmlElement *use = element.name == "node" ? element.child("instance_camera") : nullptr;
         const std::string url = use ? resolved(use->attribute("url")) : std::string();
-        const auto view = url.starts_with('#') ? perspectives.find(url.substr(1)) : perspectives.end();
+        const auto view = url.starts_with('#') ? optics.find(url.substr(1)) : optics.end();
         const std::string id = resolved(element.attribute("id"));
-        for (unsigned c = 0; view != perspectives.end() && c < scene.mNumCameras; ++c) {
+        for (unsigned c = 0; view != optics.end() && c < scene.mNumCameras; ++c) {
             if (scene.mCameras[c]->mName == aiString(id))
-                setView(*scene.mCameras[c], *view->second);
+                (view->second->name == "perspective" ? setView : setWidth)(*scene.mCameras[c], *view->second);
         }
     });
     NodeNames(scene, names);

@@ -1,10 +1,16 @@
 #include "model/io/assimpgltf.h"
 
+#include "model/io/assimpmatrix.h"
+#include "model/io/assimpscene.h"
 #include "model/io/assimpsource.h"
+#include "model/io/assimpviews.h"
+#include "model/io/gltf/gltfappender.h"
 #include "model/io/gltf/gltflooks.h"
 #include "model/io/gltf/gltfsource.h"
 #include "model/io/gltf/gltfuvnames.h"
 #include "model/io/materiallooks.h"
+
+#include <Eigen/Geometry>
 
 #include <assimp/material.h>
 #include <assimp/scene.h>
@@ -12,13 +18,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace autocuts {
 
 namespace {
-
-//! Blender shows a light of one watt, or a sun of one watt per square metre, as so many lumens.
-constexpr double lumensPerWatt = 683;
 
 Json numbersOf(const Vec3 &values)
 {
@@ -156,6 +162,39 @@ void addLights(Json &root, const aiScene &scene, bool fromGltf)
         used.push_back("KHR_lights_punctual");
 }
 
+//! Makes a skin without a mesh of the bones below each node, which is how glTF says that they are bones.
+void addBareBones(GltfDocument &document, const aiScene &scene, const std::set<std::string> &bones)
+{
+    struct Skin
+    {
+        const aiNode *above;
+        Json joints = Json::array();
+        std::vector<float> matrices; //!< from the node above all to each bone
+    };
+    std::vector<Skin> skins;
+    const Json &nodes = member(document.json, "nodes");
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const aiNode *node = scene.mRootNode->FindNode(textOf(nodes[n], "name").c_str());
+        if (!node || !bones.contains(node->mName.C_Str()))
+            continue;
+        Eigen::Affine3d place = Eigen::Affine3d::Identity();
+        for (; node && bones.contains(node->mName.C_Str()); node = node->mParent)
+            place = Eigen::Affine3d(toEigen(node->mTransformation)) * place;
+        const Eigen::Matrix4f back = place.inverse().matrix().cast<float>();
+        if (!back.allFinite())
+            continue;
+        auto skin = std::ranges::find(skins, node, &Skin::above);
+        if (skin == skins.end())
+            skin = skins.insert(skins.end(), Skin{node, Json::array(), {}});
+        skin->joints.push_back(n);
+        skin->matrices.insert(skin->matrices.end(), back.data(), back.data() + back.size());
+    }
+    for (const Skin &skin : skins) {
+        const std::size_t matrices = GltfAppender(document).addMatrices(skin.matrices);
+        document.json["skins"].push_back({{"joints", skin.joints}, {"inverseBindMatrices", matrices}});
+    }
+}
+
 void lowerNumbers(Json &value, std::size_t removed)
 {
     if (value.is_number_unsigned() && value.get<std::size_t>() > removed)
@@ -228,11 +267,13 @@ void nameAnimations(Json &root, const Scene &scene)
 
 } // namespace
 
-void completeGltf(GltfDocument &document, const Scene &scene, const aiScene &exported, const QString &path)
+void completeGltf(GltfDocument &document, const Scene &scene, const ExportScene &exported,
+                  const QString &path)
 {
-    addMaterials(document, scene, exported, path);
-    addCameras(document.json, exported);
-    addLights(document.json, exported, isGltfFormat(scene.format));
+    addMaterials(document, scene, *exported.get(), path);
+    addCameras(document.json, *exported.get());
+    addLights(document.json, *exported.get(), isGltfFormat(scene.format));
+    addBareBones(document, *exported.get(), exported.bareBones());
     nameAnimations(document.json, scene);
     removePlainRoot(document.json);
     std::map<int, QString> names;

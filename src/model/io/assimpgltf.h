@@ -4,11 +4,12 @@
 #include "model/document/scene.h"
 #include "model/io/gltf/gltffile.h"
 
-struct aiScene;
-
 namespace autocuts {
 
+class ExportScene;
+
 //! \param exported what Assimp has written \param path of the file
-void completeGltf(GltfDocument &document, const Scene &scene, const aiScene &exported, const QString &path);
+void completeGltf(GltfDocument &document, const Scene &scene, const ExportScene &exported,
+                  const QString &path);
 
 } // namespace autocuts

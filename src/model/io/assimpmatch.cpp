@@ -1,6 +1,5 @@
 #include "model/io/assimpmatch.h"
 
-#include "model/io/assimpreader.h"
 #include "model/io/modelunits.h"
 #include "model/io/savefile.h"
 #include "model/transfer/facematch.h"
@@ -9,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace autocuts {
 
@@ -56,12 +56,82 @@ void takeMaterials(Scene &assimp, const Scene &scene, const FaceMatch &match)
     }
 }
 
+//! The faces of each object, by its name; objects of one name are left out.
+std::map<QString, std::vector<int>> facesOfObjects(const Scene &scene, const MeshData &mesh)
+{
+    std::map<QString, int> count;
+    for (const QString &name : scene.objectNames)
+        ++count[name];
+    std::map<QString, std::vector<int>> faces;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const QString name = elementOf(scene.objectNames, mesh.faceObject[f]);
+        if (count[name] == 1)
+            faces[name].push_back(f);
+    }
+    return faces;
+}
+
+double farthest(const MeshData &mesh)
+{
+    return mesh.positions.size() == 0 ? 0 : tolerance * mesh.positions.cwiseAbs().maxCoeff();
+}
+
+//! True where each vertex lies where that of the same number does.
+bool isSamePlace(const MeshData &a, const MeshData &b)
+{
+    return (a.positions - b.positions).rowwise().norm().maxCoeff() <= farthest(b);
+}
+
+//! True where the corners of two faces lie in the same places, in the same order.
+bool isSameFace(const MeshData &a, int faceA, const MeshData &b, int faceB, double far)
+{
+    const int beginA = a.faceStart[faceA], beginB = b.faceStart[faceB];
+    const int count = a.faceStart[faceA + 1] - beginA;
+    if (b.faceStart[faceB + 1] - beginB != count)
+        return false;
+    for (int c = 0; c < count; ++c) {
+        const Vec3 between =
+            a.positions.row(a.cornerVertex[beginA + c]) - b.positions.row(b.cornerVertex[beginB + c]);
+        if (!(between.norm() <= far))
+            return false;
+    }
+    return true;
+}
+
+//! Matches objects of which not all faces are matched by the order of the faces. Faces of flat objects, which
+//! lie in the same places, cannot be told apart otherwise.
+void matchInOrder(const Scene &assimp, const Scene &scene, const MeshData &mesh, FaceMatch &match)
+{
+    const double far = farthest(mesh);
+    const std::map<QString, std::vector<int>> theirs = facesOfObjects(assimp, *assimp.mesh);
+    for (const auto &[name, faces] : facesOfObjects(scene, mesh)) {
+        const auto other = theirs.find(name);
+        const bool open = other != theirs.end() && other->second.size() == faces.size() &&
+                          std::ranges::any_of(other->second, [&](int f) { return match.face[f] < 0; });
+        if (!open || !std::ranges::equal(other->second, faces, [&](int a, int b) {
+                return isSameFace(*assimp.mesh, a, mesh, b, far);
+            }))
+            continue;
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+            const int face = other->second[f], begin = assimp.mesh->faceStart[face];
+            match.face[face] = faces[f];
+            for (int c = begin; c < assimp.mesh->faceStart[face + 1]; ++c)
+                match.corner[c] = mesh.faceStart[faces[f]] + c - begin;
+        }
+    }
+}
+
 //! The scene of Assimp with the UV sets of another one; nothing when not all faces of that are found.
 std::optional<Scene> withUvsOf(const Scene &scene, Scene assimp)
 {
     MeshData mesh = *scene.mesh; // only its polygons are looked at
     mesh.positions = inUnits(mesh.positions, unitsOf(scene), {});
-    const FaceMatch match = matchFaces(*assimp.mesh, mesh, tolerance);
+    FaceMatch match = matchFaces(*assimp.mesh, mesh, tolerance);
+    // Objects of one kind may be there in another order.
+    if (match.sameTopology && !isSamePlace(*assimp.mesh, mesh))
+        match = matchFacesInPlace(*assimp.mesh, mesh, tolerance);
+    if (std::ranges::find(match.face, -1) != match.face.end())
+        matchInOrder(assimp, scene, mesh, match);
     const auto matched = std::count_if(match.face.begin(), match.face.end(), [](int f) { return f >= 0; });
     if (matched != scene.mesh->faceCount())
         return {};
@@ -92,13 +162,13 @@ std::optional<Scene> withUvsOf(const Scene &scene, Scene assimp)
 } // namespace
 
 std::optional<Scene> asAssimpReads(const Scene &scene, const QByteArray &bytes, const QString &suffix,
-                                   const Eigen::Matrix4d &placement)
+                                   const Eigen::Matrix4d &placement, const CompleteScene &complete)
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("model.") + suffix);
     if (!folder.isValid() || !saveAtomically(path, bytes))
         return {};
-    Result<Scene> read = readWithAssimp(path, nullptr, placement);
+    Result<Scene> read = readWithAssimp(path, nullptr, placement, complete);
     return read ? withUvsOf(scene, std::move(read).value()) : std::nullopt;
 }
 

@@ -334,7 +334,7 @@ qint64 sizeToRead(const QString &path)
 } // namespace
 
 Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop,
-                             const Eigen::Matrix4d &placement)
+                             const Eigen::Matrix4d &placement, const CompleteScene &complete)
 {
     if (const std::optional<Error> error = checkFile(path))
         return *error;
@@ -342,6 +342,8 @@ Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop,
     if (!read)
         return read.error();
     auto source = std::make_shared<AssimpSource>();
+    if (complete)
+        complete(*read.value(), *source);
     turnViews(*read.value());
     const QString suffix = QFileInfo(path).suffix().toLower();
     Eigen::Matrix4d place = placement;

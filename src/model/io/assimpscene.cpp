@@ -312,7 +312,7 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     }
     if (mOptions.joinsMaterials)
         mParts = joinMeshes(*mScene);
-    bindMeshes(from, nodes, scene.format == QLatin1String("fbx"));
+    bindMeshes(source, nodes);
 }
 
 std::vector<aiMesh *> ExportScene::meshesOf(const aiNode &node) const
@@ -324,21 +324,31 @@ std::vector<aiMesh *> ExportScene::meshesOf(const aiNode &node) const
 }
 
 //! Brings the skeletons to the form that the exporter and its readers need.
-//! \param boundHere as for bindAtParent()
-void ExportScene::bindMeshes(const aiScene &from, const std::vector<aiNode *> &nodes, bool boundHere)
+void ExportScene::bindMeshes(const AssimpSource &source, const std::vector<aiNode *> &nodes)
 {
+    mBareBones = autocuts::bareBones(*mScene, source.limbs);
+    if (mOptions.laysOutSkeletons) {
+        std::set<std::string> bones = boneNames(*mScene);
+        bones.insert(mBareBones.begin(), mBareBones.end());
+        for (const aiNode *node : nodes)
+            bindToBone(*source.scene, *node, meshesOf(*node), bones);
+        mBareBones = autocuts::bareBones(*mScene, source.limbs);
+    }
     if (mOptions.namesAllBones) {
         for (const aiNode *node : nodes)
             addBonesBelow(*mScene, meshesOf(*node));
     }
     if (mOptions.laysOutSkeletons)
-        mChanges = layOutSkeletons(*mScene, from);
+        mChanges = layOutSkeletons(*mScene, *source.scene, mBareBones);
     if (!mOptions.bindsAtParent)
         return;
     std::vector<aiNode *> all = nodes;
     all.insert(all.end(), mChanges.added.begin(), mChanges.added.end());
-    for (aiNode *node : all)
-        bindAtParent(*mScene, *node, meshesOf(*node), boundHere);
+    for (aiNode *node : all) {
+        const auto known = source.boundAt.find(node->mName.C_Str());
+        bindAtParent(*mScene, *node, meshesOf(*node),
+                     known == source.boundAt.end() ? nullptr : &known->second);
+    }
 }
 
 //! One material more than there are names, for faces without a material. \param from null: Assimp has read

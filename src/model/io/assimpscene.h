@@ -55,13 +55,15 @@ public:
     const aiScene *get() const { return mScene; }
     //! How nodes differ from those of the source.
     const NodeChanges &changes() const { return mChanges; }
+    //! Bones that no mesh has.
+    const std::set<std::string> &bareBones() const { return mBareBones; }
     //! Of the meshes that were joined.
     const MaterialParts &parts() const { return mParts; }
 
 private:
     void borrow(const aiScene &from);
     void takeFromSource(const Scene &scene, const AssimpSource &source);
-    void bindMeshes(const aiScene &from, const std::vector<aiNode *> &nodes, bool boundHere);
+    void bindMeshes(const AssimpSource &source, const std::vector<aiNode *> &nodes);
     std::vector<aiMesh *> meshesOf(const aiNode &node) const;
     void makePlain(const Scene &scene);
     void makeMaterials(const Scene &scene, const aiScene *from);
@@ -70,6 +72,7 @@ private:
     bool mBorrowed = false; //!< channels of animations, cameras and lights belong to the source
     ExportOptions mOptions;
     NodeChanges mChanges;
+    std::set<std::string> mBareBones;
     MaterialParts mParts;
 };
 

@@ -2,6 +2,7 @@
 
 #include "model/io/assimpbinding.h"
 #include "model/io/assimpmatrix.h"
+#include "model/io/collada/xmlspans.h"
 #include "model/io/modelunits.h"
 
 #include <Eigen/Geometry>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -44,8 +46,10 @@ bool isMoved(const aiNodeAnim &channel, const aiNode &node)
 class Layout
 {
 public:
-    Layout(aiScene &scene, const aiScene &animated) : mScene(scene), mBones(boneNames(scene))
+    Layout(aiScene &scene, const aiScene &animated, const std::set<std::string> &bare)
+        : mScene(scene), mBones(boneNames(scene))
     {
+        mBones.insert(bare.begin(), bare.end());
         for (unsigned c = 0; animated.mNumAnimations > 0 && c < animated.mAnimations[0]->mNumChannels; ++c) {
             const aiNodeAnim *channel = animated.mAnimations[0]->mChannels[c];
             mChannels.emplace(channel->mNodeName.C_Str(), channel);
@@ -54,7 +58,7 @@ public:
 
     NodeChanges make()
     {
-        if (mBones.empty())
+        if (mBones.empty() && mChannels.empty())
             return {};
         addRoot();
         turnUp(*mScene.mRootNode);
@@ -187,9 +191,31 @@ private:
 
 } // namespace
 
-NodeChanges layOutSkeletons(aiScene &scene, const aiScene &animated)
+NodeChanges layOutSkeletons(aiScene &scene, const aiScene &animated, const std::set<std::string> &bare)
 {
-    return Layout(scene, animated).make();
+    return Layout(scene, animated, bare).make();
+}
+
+std::string withBareBones(std::string_view text, const std::set<std::string> &bare)
+{
+    const std::optional<XmlElement> root = bare.empty() ? std::nullopt : xmlSpans(text);
+    const XmlElement *scenes = root ? root->child("library_visual_scenes") : nullptr;
+    if (!scenes)
+        return std::string(text);
+    std::vector<TextEdit> edits;
+    std::vector<const XmlElement *> open{scenes};
+    while (!open.empty()) {
+        const XmlElement &element = *open.back();
+        open.pop_back();
+        for (const XmlElement &child : element.children)
+            open.push_back(&child);
+        const std::string_view type = element.attribute("type");
+        if (element.name != "node" || type != "NODE" || !bare.contains(resolved(element.attribute("name"))))
+            continue;
+        edits.push_back({type.data(), type.data() + type.size(),
+                         "JOINT\" sid=\"" + std::string(element.attribute("id"))});
+    }
+    return edited(text, std::move(edits));
 }
 
 } // namespace autocuts

@@ -3,7 +3,11 @@
 
 #include "model/document/scene.h"
 
+#include <Eigen/Core>
+
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +33,8 @@ struct AssimpPiece
 struct AssimpSource : SceneSource
 {
     std::shared_ptr<const aiScene> scene;
+    std::set<std::string> limbs; //!< nodes that the file calls bones, whether meshes have them or not
+    std::map<std::string, Eigen::Matrix4d> boundAt; //!< where in the world the meshes of nodes were bound
     std::vector<AssimpPiece>
         //! In the order of the nodes and of the meshes in a node, so that faces and vertices are ascending.
         pieces;

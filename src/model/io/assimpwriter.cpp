@@ -3,6 +3,7 @@
 #include "model/io/assimpanimations.h"
 #include "model/io/assimpgltf.h"
 #include "model/io/assimpscene.h"
+#include "model/io/assimpviews.h"
 #include "model/io/gltf/gltffile.h"
 #include "model/io/gltf/gltfsource.h"
 #include "model/io/savefile.h"
@@ -44,7 +45,7 @@ QByteArray gltfBytes(const Scene &scene, const ExportScene &exported, const aiEx
     GltfFile file{bytesOf(blob).toByteArray(), {}};
     GltfDocument document = openGltf(file);
     const bool binary = QFileInfo(path).suffix().toLower() == QLatin1String("glb");
-    completeGltf(document, scene, *exported.get(), path);
+    completeGltf(document, scene, exported, path);
     if (binary)
         return glbBytes(std::move(document));
     for (std::size_t b = 0; b < document.buffers.size(); ++b)
@@ -75,13 +76,15 @@ QByteArray withUvSetNames(const QByteArray &text, const Scene &scene)
 }
 
 //! What Assimp wrote as Collada, with what it leaves out: materials of joined meshes, the names of the UV
-//! sets and an animation.
+//! sets, views and an animation.
 QByteArray colladaBytes(const Scene &scene, const ExportScene &exported, const aiExportDataBlob &blob)
 {
     // Names that are no UTF-8 would make a file that programs refuse.
     const QByteArray bytes = QString::fromUtf8(bytesOf(blob)).toUtf8();
     const std::string whole = withMaterials({bytes.constData(), std::size_t(bytes.size())}, exported.parts());
-    const QByteArray text = withUvSetNames(QByteArray::fromStdString(whole), scene);
+    const std::string views = withViews(whole, *exported.get(), isGltfFormat(scene.format));
+    const std::string bones = withBareBones(views, exported.bareBones());
+    const QByteArray text = withUvSetNames(QByteArray::fromStdString(bones), scene);
     if (const auto *source = dynamic_cast<const AssimpSource *>(scene.source.get()))
         return QByteArray::fromStdString(
             withAnimations({text.constData(), std::size_t(text.size())}, *source->scene, exported.changes()));

@@ -99,6 +99,13 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
         losses << LossTexts::tr(
             "animations are kept of objects and bones only, not of shape keys, materials, "
             "lights and cameras");
+    if (contents.dualQuaternions)
+        losses << LossTexts::tr(
+            "the dual quaternions by which bones bend meshes are lost: bent shapes differ");
+    if (contents.otherScaling)
+        losses << LossTexts::tr(
+            "scales are passed on to all that is below: the file has another rule for some "
+            "objects, whose shapes can differ");
     if (contents.bones && !contents.animations && format == QLatin1String("dae"))
         losses << LossTexts::tr("some programs show a Collada model without animations in its rest pose");
     return losses;

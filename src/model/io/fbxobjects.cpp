@@ -4,23 +4,13 @@
 #include "model/io/fbxproperties.h"
 #include "model/io/fbxtextures.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
 namespace autocuts {
 
 namespace {
-
-//! The display name of an object, of "Class::name" in text and "name\0\1Class" in binary files.
-QString objectName(const FbxTree &tree, std::string_view text)
-{
-    if (const std::size_t end = text.find(std::string_view("\0\1", 2)); end != std::string_view::npos)
-        text = text.substr(0, end);
-    else if (const std::size_t colons = text.find("::"); colons != std::string_view::npos)
-        text = text.substr(colons + 2);
-    return tree.binary ? QString::fromUtf8(text.data(), std::ssize(text))
-                       : QString::fromUtf8(unescapedFbx(text));
-}
 
 //! What connections call an object: its number, or in version 6 its name.
 QByteArray keyOf(const FbxValue &value)
@@ -49,6 +39,8 @@ private:
     void connectTexture(const std::vector<FbxValue> &connection);
     void readContents(std::string_view name, std::string_view kind, int node);
 
+    bool inheritsOtherwise(const FbxModel &model) const;
+
     const FbxTree &mTree;
     FbxObjects mObjects;
     FbxTextures mTextures;
@@ -72,6 +64,9 @@ void ObjectReader::readContents(std::string_view name, std::string_view kind, in
 {
     SourceContents &contents = mObjects.contents;
     contents.bones = contents.bones || kind == "Skin" || kind == "Cluster";
+    const std::string_view skinning = mTree.text(mTree.child(node, "SkinningType"));
+    contents.dualQuaternions =
+        contents.dualQuaternions || skinning == "DualQuaternion" || skinning == "Blend";
     contents.shapeKeys =
         contents.shapeKeys || kind == "BlendShape" || kind == "Shape" || mTree.child(node, "Shape") >= 0;
     contents.animations = contents.animations || name == "AnimationCurve";
@@ -100,19 +95,19 @@ void ObjectReader::readObject(int node)
         mEntries.try_emplace(key, Entry{Class::Model, static_cast<int>(mObjects.models.size())});
         FbxModel &model = mObjects.models.emplace_back();
         model.node = node;
-        model.name = objectName(mTree, called);
+        model.name = fbxObjectName(mTree, called);
         if (hasPolygons)
             model.geometries.push_back(node);
     } else if (name == "Geometry" && hasPolygons) {
         mEntries.try_emplace(key, Entry{Class::Geometry, node});
     } else if (name == "Material") {
         mEntries.try_emplace(key, Entry{Class::Material, static_cast<int>(mObjects.materialNames.size())});
-        mObjects.materialNames.push_back(objectName(mTree, called));
+        mObjects.materialNames.push_back(fbxObjectName(mTree, called));
         mObjects.materialColors.push_back(diffuseColor(mTree, node));
     } else if (name == "Texture") {
         mTextureKeys.push_back(key);
         mEntries.try_emplace(key, Entry{Class::Texture, static_cast<int>(mObjects.textures.size())});
-        mObjects.textures.push_back({objectName(mTree, called), {}});
+        mObjects.textures.push_back({fbxObjectName(mTree, called), {}});
     } else if (name == "AnimationCurveNode") {
         mCurveNodes.insert(key);
     }
@@ -157,6 +152,21 @@ void ObjectReader::connect(const FbxValue &child, const FbxValue &parent)
     list.push_back(entry.index);
 }
 
+//! True where the scale of the parent does something else to a model than its matrix would.
+bool ObjectReader::inheritsOtherwise(const FbxModel &model) const
+{
+    if (model.parent < 0)
+        return false;
+    constexpr int byAxes = 0, byMatrix = 1, never = 2;
+    const int rule = FbxProperties(mTree, model.node).integer("InheritType", byAxes);
+    const FbxModel &parent = mObjects.models[static_cast<std::size_t>(model.parent)];
+    const Vec3 scale = FbxProperties(mTree, parent.node).vector("Lcl Scaling", Vec3::Ones());
+    const double largest = scale.cwiseAbs().maxCoeff();
+    const bool uneven = (scale.array() - scale.x()).abs().maxCoeff() > 1e-4 * largest;
+    const bool scaled = (scale.array() - 1).abs().maxCoeff() > 1e-4;
+    return rule != byMatrix && (uneven || (rule == never && scaled));
+}
+
 FbxObjects ObjectReader::read()
 {
     const FbxTree &tree = mTree;
@@ -191,10 +201,22 @@ FbxObjects ObjectReader::read()
     // Names of version 6 may be those of several objects, of which connections say nothing.
     for (FbxModel &model : mObjects.models)
         model.connected = model.connected || tree.version < 7000;
+    mObjects.contents.otherScaling = std::ranges::any_of(
+        mObjects.models, [this](const FbxModel &model) { return inheritsOtherwise(model); });
     return std::move(mObjects);
 }
 
 } // namespace
+
+QString fbxObjectName(const FbxTree &tree, std::string_view text)
+{
+    if (const std::size_t end = text.find(std::string_view("\0\1", 2)); end != std::string_view::npos)
+        text = text.substr(0, end);
+    else if (const std::size_t colons = text.find("::"); colons != std::string_view::npos)
+        text = text.substr(colons + 2);
+    return tree.binary ? QString::fromUtf8(text.data(), std::ssize(text))
+                       : QString::fromUtf8(unescapedFbx(text));
+}
 
 FbxObjects readFbxObjects(const FbxTree &tree)
 {

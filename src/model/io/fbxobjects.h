@@ -45,6 +45,9 @@ struct FbxObjects
 
 FbxObjects readFbxObjects(const FbxTree &tree);
 
+//! The display name of an object, of "Class::name" in text and "name\0\1Class" in binary files.
+QString fbxObjectName(const FbxTree &tree, std::string_view text);
+
 //! How the coordinates of a file lie in the world.
 struct FbxSpace
 {

@@ -1,6 +1,6 @@
-// Where the models of an FBX file stand.
-#include "model/io/fbxobjects.h"
+#include "model/io/fbxtransforms.h"
 
+#include "model/io/fbxobjects.h"
 #include "model/io/fbxproperties.h"
 #include "model/plain/types.h"
 
@@ -27,26 +27,6 @@ Eigen::Matrix3d rotation(const Vec3 &degrees, int order = 0)
     return result;
 }
 
-//! The transform of a model in its parent (FBX SDK, "Computing transformation matrices"). While
-//! RotationActive is not set, the rotation has the order x, y, z and nothing before and behind it.
-Eigen::Affine3d localTransform(const FbxProperties &p)
-{
-    const Vec3 zero = Vec3::Zero();
-    const Vec3 rotationPivot = p.vector("RotationPivot", zero);
-    const Vec3 scalingPivot = p.vector("ScalingPivot", zero);
-    Eigen::Affine3d result = Eigen::Affine3d::Identity();
-    result.translate(p.vector("Lcl Translation", zero) + p.vector("RotationOffset", zero) + rotationPivot);
-    const bool active = p.integer("RotationActive", 0) != 0;
-    const bool around = active && p.integer("RotationSpaceForLimitOnly", 0) == 0;
-    result.rotate(rotation(around ? p.vector("PreRotation", zero) : zero));
-    result.rotate(rotation(p.vector("Lcl Rotation", zero), active ? p.integer("RotationOrder", 0) : 0));
-    result.rotate(rotation(around ? p.vector("PostRotation", zero) : zero).transpose());
-    result.translate(p.vector("ScalingOffset", zero) + scalingPivot - rotationPivot);
-    result.scale(p.vector("Lcl Scaling", Vec3::Ones()));
-    result.translate(-scalingPivot);
-    return result;
-}
-
 //! The transform of the geometry of a model, which its children do not inherit.
 Eigen::Affine3d geometricTransform(const FbxProperties &p)
 {
@@ -65,6 +45,31 @@ int settingsOf(const FbxTree &tree)
 }
 
 } // namespace
+
+FbxPlacing fbxPlacing(const FbxProperties &p)
+{
+    const Vec3 zero = Vec3::Zero();
+    return {p.vector("Lcl Translation", zero), p.vector("Lcl Rotation", zero),
+            p.vector("Lcl Scaling", Vec3::Ones())};
+}
+
+Eigen::Affine3d fbxLocalTransform(const FbxProperties &p, const FbxPlacing &placing)
+{
+    const Vec3 zero = Vec3::Zero();
+    const Vec3 rotationPivot = p.vector("RotationPivot", zero);
+    const Vec3 scalingPivot = p.vector("ScalingPivot", zero);
+    Eigen::Affine3d result = Eigen::Affine3d::Identity();
+    result.translate(placing.translation + p.vector("RotationOffset", zero) + rotationPivot);
+    const bool active = p.integer("RotationActive", 0) != 0;
+    const bool around = active && p.integer("RotationSpaceForLimitOnly", 0) == 0;
+    result.rotate(rotation(around ? p.vector("PreRotation", zero) : zero));
+    result.rotate(rotation(placing.rotation, active ? p.integer("RotationOrder", 0) : 0));
+    result.rotate(rotation(around ? p.vector("PostRotation", zero) : zero).transpose());
+    result.translate(p.vector("ScalingOffset", zero) + scalingPivot - rotationPivot);
+    result.scale(placing.scaling);
+    result.translate(-scalingPivot);
+    return result;
+}
 
 FbxSpace fbxSpace(const FbxTree &tree)
 {
@@ -114,7 +119,7 @@ std::vector<Eigen::Affine3d> fbxTransforms(const FbxTree &tree, const FbxObjects
             const int parent = objects.models[now].parent;
             const bool below = parent >= 0 && states[static_cast<std::size_t>(parent)] == State::Done;
             const FbxProperties p(tree, objects.models[now].node);
-            world[now] = localTransform(p);
+            world[now] = fbxLocalTransform(p, fbxPlacing(p));
             if (below)
                 world[now] = world[static_cast<std::size_t>(parent)] * world[now];
             result[now] = toScene * world[now] * geometricTransform(p);

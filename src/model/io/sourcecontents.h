@@ -10,6 +10,8 @@ struct SourceContents
          embeddedTextures = false, hierarchy = false;
     bool severalAnimations = false;
     bool otherAnimations = false; //!< of more than the places of nodes: shape keys, materials, cameras
+    bool dualQuaternions = false; //!< bones bend meshes by them, not by matrices
+    bool otherScaling = false;    //!< children inherit scales by another rule than that of matrices
     bool instances = false;       //!< several objects share a mesh
     bool splitObjects = false;    //!< objects are one mesh for each of their materials
 };

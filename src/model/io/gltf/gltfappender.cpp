@@ -262,6 +262,16 @@ std::size_t GltfAppender::addUvs(const Json &like, const QByteArray &floats)
     return addVertices(accessor, elements);
 }
 
+std::size_t GltfAppender::addMatrices(const std::vector<float> &numbers)
+{
+    const QByteArray bytes(reinterpret_cast<const char *>(numbers.data()),
+                           static_cast<qsizetype>(numbers.size() * sizeof(float)));
+    return addAccessor({{"bufferView", addView(bytes, 0, 0)},
+                        {"componentType", GltfElements::float32},
+                        {"count", numbers.size() / 16},
+                        {"type", "MAT4"}});
+}
+
 std::size_t GltfAppender::addIndices(const Json &like, const std::vector<std::uint32_t> &indices)
 {
     const std::uint32_t highest = indices.empty() ? 0 : *std::max_element(indices.begin(), indices.end());

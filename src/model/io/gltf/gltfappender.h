@@ -38,6 +38,8 @@ public:
     std::size_t addIndices(const Json &like, const std::vector<std::uint32_t> &indices);
     //! Adds the bytes of a picture file. \returns the index of its buffer view
     std::size_t addPicture(const QByteArray &content) { return addView(content, 0, 0); }
+    //! Adds matrices of 16 numbers each, column by column.
+    std::size_t addMatrices(const std::vector<float> &numbers);
     //! Adds UVs.
     std::size_t addUvs(const Json &like, const QByteArray &floats);
 
