@@ -91,6 +91,16 @@ const XmlElement *nodeNamed(const XmlElement &element, std::string_view name)
     return nullptr;
 }
 
+//! Leaves bytes of this value in memory that is free.
+void fillMemory(char value)
+{
+    std::vector<QByteArray> blocks;
+    for (qsizetype size = 16; size <= 4096; size += 16) {
+        for (int i = 0; i < 4; ++i)
+            blocks.emplace_back(size, value);
+    }
+}
+
 } // namespace
 
 class TestRigs : public QObject
@@ -252,6 +262,53 @@ private Q_SLOTS:
         for (const Json &joint : json["skins"][0]["joints"])
             names.insert(json["nodes"][joint.get<std::size_t>()]["name"].get<std::string>());
         QCOMPARE(names, (std::set<std::string>{"bone", "tip"}));
+    }
+
+    //! What was in memory before has no part in a file.
+    void sameBytesFromRunToRun_data()
+    {
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("to");
+        for (const QString &from : {u"glb"_s, u"fbx"_s}) {
+            for (const QString &to : {u"glb"_s, u"gltf"_s, u"dae"_s, u"fbx"_s, u"obj"_s, u"ply"_s})
+                QTest::addRow("%s to %s", qPrintable(from), qPrintable(to)) << from << to;
+        }
+    }
+    void sameBytesFromRunToRun()
+    {
+        QFETCH(const QString, from);
+        QFETCH(const QString, to);
+        gltffiles::FileBuilder file = rig();
+        animate(file, 1, {0, 1, 0, 0, 1, 4});
+        QVERIFY(convert(file, u"fbx"_s));
+        QByteArray first;
+        for (char run = 0; run < 8; ++run) {
+            fillMemory(run);
+            QVERIFY(writeMesh(readMesh(at(u"r."_s + from)).value(), at(u"w."_s + to)).ok());
+            const QByteArray bytes = gltffiles::contentOf(at(u"w."_s + to));
+            if (run == 0)
+                first = bytes;
+            QVERIFY(!bytes.isEmpty() && bytes == first);
+        }
+        QVERIFY(to != u"dae"_s || first.contains("<created>1970-01-01T00:00:00</created>"));
+    }
+
+    //! Assimp leaves bytes of memory behind the joints of skins.
+    void noUnusedBytesInGltf()
+    {
+        QVERIFY(convert(rig(), u"fbx"_s));
+        QVERIFY(writeMesh(readMesh(at(u"r.fbx"_s)).value(), at(u"w.glb"_s)).ok());
+        const QByteArray bytes = gltffiles::contentOf(at(u"w.glb"_s));
+        const Json json = gltffiles::jsonOf(bytes);
+        std::size_t used = 0;
+        for (const Json &view : json["bufferViews"]) {
+            QCOMPARE(view["byteOffset"].get<std::size_t>(), used);
+            used += (view["byteLength"].get<std::size_t>() + 3) / 4 * 4;
+        }
+        QCOMPARE(json["buffers"][0]["byteLength"].get<std::size_t>(), used);
+        // What has moved is what it was.
+        const Scene before = gltffiles::parsed(rig().glb()), after = gltffiles::parsed(bytes);
+        QVERIFY(gltffiles::uvDifference(before, after) < 1e-6);
     }
 
     //! Programs leave out the scale of bones in the rest pose.

@@ -72,6 +72,27 @@ void addMaterials(GltfDocument &document, const Scene &scene, const aiScene &exp
     document.json["materials"] = std::move(materials);
 }
 
+//! Takes out the bytes that no buffer view has. Assimp's exporter leaves such bytes behind the joints of
+//! skins, with whatever was in memory.
+void removeUnusedBytes(GltfDocument &document)
+{
+    if (!document.json.contains("bufferViews"))
+        return;
+    std::vector<QByteArray> packed(document.buffers.size());
+    for (Json &view : document.json["bufferViews"]) {
+        const std::size_t number = requiredNumber(view, "buffer");
+        const auto begin = static_cast<qsizetype>(wholeNumber(view, "byteOffset").value_or(0));
+        const auto size = static_cast<qsizetype>(requiredNumber(view, "byteLength"));
+        QByteArray &buffer = packed.at(number);
+        buffer.append(-buffer.size() & 3, '\0');
+        view["byteOffset"] = static_cast<std::size_t>(buffer.size());
+        buffer.append(QByteArrayView(document.buffers[number]).sliced(begin, size));
+    }
+    for (std::size_t b = 0; b < packed.size(); ++b)
+        document.json["buffers"][b]["byteLength"] = static_cast<std::size_t>(packed[b].size());
+    document.buffers = std::move(packed);
+}
+
 //! The first node of this name, or null.
 Json *nodeNamed(Json &root, const aiString &name)
 {
@@ -270,6 +291,7 @@ void nameAnimations(Json &root, const Scene &scene)
 void completeGltf(GltfDocument &document, const Scene &scene, const ExportScene &exported,
                   const QString &path)
 {
+    removeUnusedBytes(document);
     addMaterials(document, scene, *exported.get(), path);
     addCameras(document.json, *exported.get());
     addLights(document.json, *exported.get(), isGltfFormat(scene.format));

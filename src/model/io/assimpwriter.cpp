@@ -75,12 +75,24 @@ QByteArray withUvSetNames(const QByteArray &text, const Scene &scene)
     return named + text.mid(copied);
 }
 
+//! The text with a fixed date instead of that of now: the same model gives the same bytes.
+QByteArray withFixedDate(QByteArray text)
+{
+    for (const QByteArray &name : {QByteArray("created"), QByteArray("modified")}) {
+        const QByteArray tag = '<' + name + '>';
+        const qsizetype at = text.indexOf(tag), end = text.indexOf("</" + name + '>', at);
+        if (at >= 0 && end >= 0)
+            text.replace(at + tag.size(), end - at - tag.size(), "1970-01-01T00:00:00");
+    }
+    return text;
+}
+
 //! What Assimp wrote as Collada, with what it leaves out: materials of joined meshes, the names of the UV
 //! sets, views and an animation.
 QByteArray colladaBytes(const Scene &scene, const ExportScene &exported, const aiExportDataBlob &blob)
 {
     // Names that are no UTF-8 would make a file that programs refuse.
-    const QByteArray bytes = QString::fromUtf8(bytesOf(blob)).toUtf8();
+    const QByteArray bytes = withFixedDate(QString::fromUtf8(bytesOf(blob)).toUtf8());
     const std::string whole = withMaterials({bytes.constData(), std::size_t(bytes.size())}, exported.parts());
     const std::string views = withViews(whole, *exported.get(), isGltfFormat(scene.format));
     const std::string bones = withBareBones(views, exported.bareBones());
