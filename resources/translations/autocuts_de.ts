@@ -6674,6 +6674,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Finished: no better map was found, it stays as it was</source>
         <translation>Fertig: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
     </message>
+    <message>
+        <source>%1 was ended: the map was edited meanwhile</source>
+        <translation>%1 wurde beendet: die Map wurde inzwischen bearbeitet</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>
