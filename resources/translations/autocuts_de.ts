@@ -6675,6 +6675,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Fertig: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
     </message>
     <message>
+        <source>%1. The UV set %2 is the active one now</source>
+        <translation>%1. Der UV-Satz %2 ist jetzt der aktive</translation>
+    </message>
+    <message>
         <source>%1 was ended: the map was edited meanwhile</source>
         <translation>%1 wurde beendet: die Map wurde inzwischen bearbeitet</translation>
     </message>
@@ -9134,6 +9138,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>%1 – reading textures…</source>
         <translation>%1 – Texturen werden gelesen…</translation>
+    </message>
+    <message>
+        <source>UV set: %1</source>
+        <translation>UV-Satz: %1</translation>
     </message>
 </context>
 <context>
