@@ -10,6 +10,8 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/lightbakedialog.h"
+#include "views/panels/noticebar.h"
+#include "views/shell/statusbar.h"
 #include "views/state/viewstate.h"
 #include "views/ui/colorbutton.h"
 
@@ -157,6 +159,7 @@ private Q_SLOTS:
     void theSurfaceReflectsWhatIsChosen();
     void problemsAreSaid();
     void cancelKeepsWhatThereIs();
+    void cancelSaysWhichSetIsActive();
     void brightLightIsSaid();
 };
 
@@ -175,6 +178,8 @@ void TestLightDialog::lightIsBaked()
     QCOMPARE(session.document()->uvSets().size(), std::size_t(2));
     QCOMPARE(session.document()->activeUvSet(), 1);
     QVERIFY(session.document()->uvSets()[1].name.startsWith(u"Lightmap"_s));
+    QVERIFY2(session.said().endsWith(u". The UV set Lightmap is the active one now"_s),
+             qPrintable(session.said()));
     const Result<Picture> picture = readPicture(session.file("box_light.png"));
     QVERIFY(picture.ok());
     QCOMPARE(picture->width, 64);
@@ -219,6 +224,7 @@ void TestLightDialog::setsThatAreThere()
     });
     QVERIFY(session.jobsRest());
     QTRY_VERIFY(session.said().contains(u"box_light.exr"_s));
+    QVERIFY(!session.said().contains(u"UV set"_s));
     QVERIFY(session.document()->state() == before); // the map is as it was
     const Result<Picture> picture = readPicture(session.file("box_light.exr"));
     QVERIFY(picture.ok());
@@ -450,6 +456,27 @@ void TestLightDialog::cancelKeepsWhatThereIs()
     const Result<Picture> picture = readPicture(session.file("box_light.png"));
     QVERIFY(picture.ok() && std::ranges::max(picture->values) > 0.5F);
     QVERIFY(live.isReceiving());
+}
+
+//! The set was made for a bake that was given up, and would be edited unnoticed.
+void TestLightDialog::cancelSaysWhichSetIsActive()
+{
+    LightSession session(512);
+    session.ask([&](const DialogUser &user) {
+        user.number<QSpinBox>("samples", u"1000000"_s);
+        return user.bake();
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(session.context.liveBake.updates() > 2, 120000);
+    QApplication::setActiveWindow(&session.window);
+    session.press(Qt::Key_Escape);
+    QVERIFY(session.jobsRest());
+    QTRY_COMPARE(session.failed.count(), 1);
+    const QString said = session.failed.last().first().toString();
+    QVERIFY2(said.contains(u"found so far"_s) &&
+                 said.contains(u"The UV set Lightmap is the active one now"_s),
+             qPrintable(said));
+    QCOMPARE(session.window.findChild<NoticeBar *>()->message(), said);
+    QCOMPARE(session.window.findChild<StatusBar *>()->setText(), u"UV set: Lightmap"_s);
 }
 
 void TestLightDialog::brightLightIsSaid()

@@ -1,6 +1,8 @@
 // The panels of history, seams, islands, packing, overlaps and view: what they do to the
 // document and how they follow it.
 #include "commands/changesettings.h"
+#include "commands/editpins.h"
+#include "commands/setislandflags.h"
 #include "commands/setseamstate.h"
 #include "commands/setuvs.h"
 #include "model/plain/udimtiles.h"
@@ -98,6 +100,20 @@ private Q_SLOTS:
         packing.margin = 0;
         pushCommand(std::make_unique<ChangeSettings>(*document, packing));
         QVERIFY(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction) != "uv.pack"_L1);
+        // No packing moves what is pinned.
+        m.chartsOffTile = {{0, 1001}};
+        figures.islandsOffTile = {{0, 1001}};
+        QCOMPARE(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction), "uv.pack"_L1);
+        const int corner = document->mesh().faceStart[document->islands().faces(0).front()];
+        pushCommand(std::make_unique<EditPins>(
+            *document, EditPins::Edit::Pin,
+            std::vector<UvPin>{{corner, document->uv().row(corner).transpose(), false, 1}}));
+        QCOMPARE(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction), ""_L1);
+        document->undoStack().undo();
+        QCOMPARE(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction), "uv.pack"_L1);
+        using Edit = SetIslandFlags::Edit;
+        pushCommand(std::make_unique<SetIslandFlags>(*document, Edit::Lock, std::vector<int>{0}));
+        QCOMPARE(QLatin1StringView(outcomeOf(*document, figures, 4.1).nextAction), ""_L1);
     }
 
     void emptyStates()

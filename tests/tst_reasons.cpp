@@ -14,6 +14,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QTest>
+#include <QToolBar>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -145,6 +146,46 @@ private Q_SLOTS:
         palette.accept();
         QVERIFY(!palette.isVisible());
         QCOMPARE(palette.chosen(), studio.action("edit.preferences"));
+    }
+
+    //! As they stand in the menus: with their dots, and with the menus that lead there.
+    void theSearchForActionsTakesTextsOfMenus()
+    {
+        StudioSession studio;
+        studio.context.workspace.open(test::layoutDocument(test::sphere(8, 10)), {});
+        QCoreApplication::processEvents();
+        ActionPalette palette(studio.context.actions);
+        const auto chosen = [&](const QString &words) {
+            palette.findChild<QLineEdit *>()->setText(words);
+            return palette.chosen();
+        };
+        QCOMPARE(chosen(u"bake..."_s), studio.action("uv.bake"));
+        QCOMPARE(chosen(u"UV > Bake light..."_s), studio.action("uv.bakeLight"));
+        QCOMPARE(chosen(u"Preferences\u2026"_s), studio.action("edit.preferences"));
+    }
+
+    //! They are shown, whether they are closed or a tab behind others, and never closed.
+    void theSearchForActionsFindsPanels()
+    {
+        StudioSession studio;
+        QList<QDockWidget *> docks = studio.window.findChildren<QDockWidget *>();
+        QVERIFY(docks.size() > 10);
+        for (QDockWidget *dock : docks) {
+            for (const bool closed : {true, false}) {
+                dock->setHidden(closed);
+                ActionPalette palette(studio.context.actions);
+                palette.findChild<QLineEdit *>()->setText(u"View > Panels > "_s + dock->windowTitle());
+                QVERIFY2(palette.chosen(), qPrintable(dock->windowTitle()));
+                QCOMPARE(palette.chosen()->text(), dock->windowTitle());
+                palette.chosen()->trigger();
+                QTRY_VERIFY2(!dock->visibleRegion().isEmpty(), qPrintable(dock->windowTitle()));
+            }
+        }
+        ActionPalette palette(studio.context.actions);
+        palette.findChild<QLineEdit *>()->setText(u"main tool bar"_s);
+        QVERIFY(palette.chosen());
+        palette.chosen()->trigger();
+        QVERIFY(studio.window.findChild<QToolBar *>(u"mainToolBar"_s)->isHidden());
     }
 };
 

@@ -5,6 +5,7 @@
 #include "support/panelbench.h"
 #include "views/panels/scenepanel.h"
 
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -106,6 +107,50 @@ private Q_SLOTS:
         bench.workspace.close();
         QVERIFY(test::isUpToDate(bench.panel));
         QCOMPARE(bench.table()->model()->rowCount(), 0);
+    }
+
+    //! Names that differ at their ends only can be told apart.
+    void namesAreReadable()
+    {
+        SceneBench bench;
+        QTableView *table = bench.table();
+        const auto width = [&] { return table->columnWidth(SceneTable::Name); };
+        const auto needed = [&] {
+            return static_cast<QAbstractItemView *>(table)->sizeHintForColumn(SceneTable::Name);
+        };
+        const auto open = [&](const QStringList &names) {
+            DocumentState state = partsDocument()->state();
+            state.scene.objectNames = {names.begin(), names.end()};
+            bench.workspace.open(std::make_unique<Document>(std::move(state.scene)), {});
+            return test::isUpToDate(bench.panel);
+        };
+        const int atFirst = width();
+        QVERIFY(open({u"Object_2.027_body"_s, u"Object_2.028_body"_s}));
+        QVERIFY(width() > atFirst && width() >= needed());
+        // Half of the list stays for the figures; what is left out is the middle.
+        const QString longName = u"a_name_that_is_longer_than_any_panel_is_wide_and_ends_with_"_s;
+        QVERIFY(open({longName + u'1', longName + u'2'}));
+        QVERIFY(width() < needed());
+        QCOMPARE(width(), table->viewport()->width() / 2);
+        const QModelIndex index = table->model()->index(1, SceneTable::Name);
+        QCOMPARE(index.data(Qt::ToolTipRole).toString(), longName + u'2');
+        const auto drawn = [&](int row) {
+            const QRect cell = table->visualRect(table->model()->index(row, SceneTable::Name));
+            return table->viewport()->grab(cell.adjusted(cell.width() / 2, 1, 0, -1)).toImage();
+        };
+        table->setAlternatingRowColors(false);
+        QVERIFY(drawn(0) != drawn(1));
+        // A wider panel gives it more, one that is wide enough all.
+        const int before = width();
+        bench.panel.resize(500, 900);
+        QTRY_VERIFY(width() > before);
+        bench.panel.resize(1600, 900);
+        QTRY_VERIFY(width() >= needed());
+        // What the user has chosen stays.
+        table->horizontalHeader()->resizeSection(SceneTable::Name, 77);
+        bench.panel.resize(700, 900);
+        QVERIFY(open({u"one"_s, u"two"_s}));
+        QCOMPARE(width(), 77);
     }
 
     void clicksSelectAndFollowTheSelection()

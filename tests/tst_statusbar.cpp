@@ -1,10 +1,12 @@
 // The status bar: hint, messages, selection, figures, jobs, and what happens when there is little room.
 #include "commands/changesettings.h"
+#include "commands/edituvsets.h"
 #include "model/samples/samples.h"
 #include "support/editsupport.h"
 #include "support/panelbench.h"
 #include "views/panels/elidedlabel.h"
 #include "views/panels/figurestrip.h"
+#include "views/panels/numbertext.h"
 #include "views/shell/statusbar.h"
 
 #include <QProgressBar>
@@ -50,6 +52,47 @@ private Q_SLOTS:
         bench.bar.setHint(QStringLiteral("Drag"));
         QCOMPARE(bench.bar.shownText(), QStringLiteral("Saved"));
         QTRY_COMPARE(bench.bar.shownText(), QStringLiteral("Drag"));
+    }
+
+    //! Only where there is a choice.
+    void severalSetsAreNamed()
+    {
+        BarBench bench;
+        bench.openSample();
+        QCOMPARE(bench.bar.setText(), QString());
+        bench.open();
+        QTRY_COMPARE(bench.bar.setText(), QStringLiteral("UV set: first"));
+        pushCommand(std::make_unique<ChooseUvSet>(bench.document(), 1));
+        QTRY_COMPARE(bench.bar.setText(), QStringLiteral("UV set: lightmap"));
+        QVERIFY(child<ElidedLabel>(bench.bar, "uvSetText")->isVisible());
+        bench.stack().undo();
+        QTRY_COMPARE(bench.bar.setText(), QStringLiteral("UV set: first"));
+        bench.openSample();
+        QTRY_COMPARE(bench.bar.setText(), QString());
+        QVERIFY(!child<ElidedLabel>(bench.bar, "uvSetText")->isVisible());
+    }
+
+    //! Models in millimetres have areas of many thousands.
+    void largeFiguresAreWrittenOut()
+    {
+        BarBench bench;
+        Scene scene = test::layoutDocument(test::grid(4))->state().scene;
+        const test::MeshPtr grid = scene.mesh;
+        scene.mesh =
+            MeshData::build(200 * grid->positions, grid->faceStart, grid->cornerVertex, grid->faceObject);
+        bench.workspace.open(std::make_unique<Document>(std::move(scene)), {});
+        Selection selection;
+        selection.mode = SelectionMode::Faces;
+        selection.faces = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+        bench.document().setSelection(selection);
+        QTRY_COMPARE(bench.bar.selectionText(),
+                     QStringLiteral("Faces: 16, area %1").arg(QLocale().toString(40000)));
+        QCOMPARE(significantText(9999.4, 4), QLocale().toString(9999));
+        QCOMPARE(significantText(9999.6, 4), QLocale().toString(10000));
+        QCOMPARE(significantText(33040.6, 4), QLocale().toString(33041));
+        QCOMPARE(significantText(-33040.6, 4), QLocale().toString(-33041));
+        QCOMPARE(significantText(12.3456, 4), QLocale().toString(12.35));
+        QVERIFY(significantText(1e20, 4).contains(QLatin1Char('e')));
     }
 
     void selections_data()

@@ -253,6 +253,12 @@ private Q_SLOTS:
         QCOMPARE(studio.context.workspace.notes().size(), 1);
         QVERIFY2(studio.context.workspace.notes().first().contains(QStringLiteral("sleep")),
                  qPrintable(studio.context.workspace.notes().first()));
+        // Where it is seen: the panel with the notes may be closed.
+        const auto *notice = studio.window.findChild<NoticeBar *>();
+        QVERIFY(notice->isVisible());
+        QCOMPARE(notice->message(), studio.context.workspace.notes().first());
+        QVERIFY(studio.measured());
+        QCOMPARE(notice->message(), studio.context.workspace.notes().first());
         other.kill();
         other.waitForFinished();
         // What a crash left behind counts for nothing.
@@ -260,6 +266,7 @@ private Q_SLOTS:
         studio.context.files.open(path);
         QVERIFY(studio.jobsRest());
         QCOMPARE(studio.context.workspace.notes(), QStringList());
+        QCOMPARE(notice->message(), QString());
     }
 
     //! Pictures of which a killed program had replaced none, beside the model that is opened.

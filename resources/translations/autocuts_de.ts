@@ -6674,6 +6674,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Finished: no better map was found, it stays as it was</source>
         <translation>Fertig: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
     </message>
+    <message>
+        <source>%1. The UV set %2 is the active one now</source>
+        <translation>%1. Der UV-Satz %2 ist jetzt der aktive</translation>
+    </message>
+    <message>
+        <source>%1 was ended: the map was edited meanwhile</source>
+        <translation>%1 wurde beendet: die Map wurde inzwischen bearbeitet</translation>
+    </message>
+    <message>
+        <source>Nothing may move: the islands are locked or pinned</source>
+        <translation>Nichts darf sich bewegen: die Inseln sind gesperrt oder haben Pins</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>
@@ -8635,6 +8647,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>The distortion of %1 is above the bound of %2: let the solver run on, allow more, or remove joins</source>
         <translation>Die Verzerrung von %1 liegt über der Grenze von %2: lassen Sie den Solver weiterlaufen, erlauben Sie mehr, oder entfernen Sie Verbindungen</translation>
     </message>
+    <message>
+        <source>The solve has ended: no better map was found, it stays as it was</source>
+        <translation>Der Solver ist fertig: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::SolverPanel</name>
@@ -9130,6 +9146,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>%1 – reading textures…</source>
         <translation>%1 – Texturen werden gelesen…</translation>
+    </message>
+    <message>
+        <source>UV set: %1</source>
+        <translation>UV-Satz: %1</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,7 @@ class Answers final : public Questions
 public:
     Unsaved unsaved = Unsaved::Discard;
     QStringList filesToOpen, filesToSave;       //!< taken from the front; none left: cancelled
+    QStringList begins;                         //!< the folders or files at which these began
     std::function<int(QDialog &)> onDialog;     //!< not set: every dialog is cancelled
     QStringList errors, confirmations, folders; //!< what was shown, asked and opened
     bool confirms = true;
@@ -43,16 +44,19 @@ public:
         confirmations << question;
         return confirms;
     }
-    QString fileToOpen(const QString &, const QString &, const QStringList &) override
+    QString fileToOpen(const QString &, const QString &begin, const QStringList &) override
     {
+        begins << begin;
         return filesToOpen.isEmpty() ? QString() : filesToOpen.takeFirst();
     }
-    QString folderToOpen(const QString &, const QString &) override
+    QString folderToOpen(const QString &, const QString &begin) override
     {
+        begins << begin;
         return filesToOpen.isEmpty() ? QString() : filesToOpen.takeFirst();
     }
-    QString fileToSave(const QString &, const QString &, const QStringList &) override
+    QString fileToSave(const QString &, const QString &begin, const QStringList &) override
     {
+        begins << begin;
         return filesToSave.isEmpty() ? QString() : filesToSave.takeFirst();
     }
     int run(QDialog &dialog) override

@@ -4,6 +4,7 @@
 #include "support/answers.h"
 #include "views/actions/actionregistry.h"
 #include "views/actions/studioactions.h"
+#include "views/canvas/toolmanager.h"
 #include "views/control/filecontroller.h"
 #include "views/control/livebake.h"
 #include "views/control/mapcontroller.h"
@@ -36,7 +37,8 @@ struct StudioParts
     StudioContext context{workspace, shownMap, view,     preferences, solver,
                           map,       files,    registry, pictures,    liveBake};
     Answers answers;
-    StudioActions actions{context, answers, path("recovery")};
+    ToolManager tools{context};
+    StudioActions actions{context, answers, tools, path("recovery")};
 
     StudioParts()
     {

@@ -21,16 +21,52 @@ namespace {
 
 constexpr int actionRole = Qt::UserRole;
 
-//! The menus that lead to an action, such as "UV > Layout > Align".
-QString menuText(const ActionInfo &info)
+//! An action with the texts by which it is found.
+struct Entry
+{
+    QAction *action;
+    QString title;
+    QString menu;
+};
+
+//! The menus that lead to an action, such as "UV > Layout > Align". \param menu path in the table
+QString menuText(const QString &menu)
 {
     QStringList titles;
     QString path;
-    for (const QString &part : QString::fromLatin1(info.menu).split(QLatin1Char('/'), Qt::SkipEmptyParts)) {
+    for (const QString &part : menu.split(QLatin1Char('/'), Qt::SkipEmptyParts)) {
         path += path.isEmpty() ? part : QLatin1Char('/') + part;
         titles << menuTitle(path).remove(QLatin1Char('&'));
     }
     return titles.join(QStringLiteral(" > "));
+}
+
+std::vector<Entry> entriesOf(const ActionRegistry &actions)
+{
+    std::vector<Entry> entries;
+    for (QAction *action : actions.actions()) {
+        const ActionInfo &info = actions.info(action);
+        entries.push_back({action, actionTitle(info), menuText(QString::fromLatin1(info.menu))});
+    }
+    for (const ActionRegistry::Other &other : actions.others()) {
+        if (other.action)
+            entries.push_back(
+                {other.action, other.action->text().remove(QLatin1Char('&')), menuText(other.menu)});
+    }
+    return entries;
+}
+
+//! In lower case, without what menus have beside words: the dots behind a name, the arrows of a path.
+QStringList wordsOf(const QString &text)
+{
+    QStringList words;
+    for (QString word : text.toLower().split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+        while (word.endsWith(QLatin1Char('.')) || word.endsWith(QChar(0x2026))) // one sign of three dots
+            word.chop(1);
+        if (!word.isEmpty() && word != QLatin1String(">"))
+            words << word;
+    }
+    return words;
 }
 
 //! How well an action fits: 0 best, -1 not at all. \param words in lower case
@@ -119,38 +155,36 @@ bool ActionPalette::eventFilter(QObject *watched, QEvent *event)
 
 void ActionPalette::search(const QString &text)
 {
-    const QStringList words = text.toLower().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const QStringList words = wordsOf(text);
     struct Match
     {
         int rank;
-        QAction *action;
+        Entry entry;
     };
     std::vector<Match> matches;
-    for (QAction *action : mActions.actions()) {
-        const ActionInfo &info = mActions.info(action);
-        const int rank = rankOf(actionTitle(info), menuText(info), words);
+    for (Entry &entry : entriesOf(mActions)) {
+        const int rank = rankOf(entry.title, entry.menu, words);
         if (rank >= 0)
-            matches.push_back({rank, action});
+            matches.push_back({rank, std::move(entry)});
     }
     // Those that can be run now come first.
     std::stable_sort(matches.begin(), matches.end(), [](const Match &a, const Match &b) {
-        const bool aRuns = a.action->isEnabled(), bRuns = b.action->isEnabled();
+        const bool aRuns = a.entry.action->isEnabled(), bRuns = b.entry.action->isEnabled();
         return aRuns != bRuns ? aRuns : a.rank < b.rank;
     });
     mFound->clear();
     for (const Match &match : matches) {
-        const ActionInfo &info = mActions.info(match.action);
-        const QString menu = menuText(info), keys = keyText(*match.action);
-        QString line = actionTitle(info);
-        if (!menu.isEmpty())
-            line += QStringLiteral("   %1").arg(menu);
+        QAction *const action = match.entry.action;
+        const QString keys = keyText(*action);
+        QString line = match.entry.title;
+        if (!match.entry.menu.isEmpty())
+            line += QStringLiteral("   %1").arg(match.entry.menu);
         if (!keys.isEmpty())
             line += QStringLiteral("   [%1]").arg(keys);
-        auto *item =
-            new QListWidgetItem(match.action->icon().isNull() ? mNoIcon : match.action->icon(), line, mFound);
-        item->setData(actionRole, QVariant::fromValue(static_cast<void *>(match.action)));
-        item->setToolTip(match.action->toolTip());
-        if (!match.action->isEnabled())
+        auto *item = new QListWidgetItem(action->icon().isNull() ? mNoIcon : action->icon(), line, mFound);
+        item->setData(actionRole, QVariant::fromValue(static_cast<void *>(action)));
+        item->setToolTip(action->toolTip());
+        if (!action->isEnabled())
             item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
     }
     mFound->setCurrentRow(0);

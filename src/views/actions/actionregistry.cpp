@@ -133,7 +133,10 @@ void ActionRegistry::showToolTip(std::size_t i)
 
 QString ActionRegistry::whyDisabled(const QAction *action) const
 {
-    const auto place = std::find(mActions.begin(), mActions.end(), action) - mActions.begin();
+    const auto place =
+        static_cast<std::size_t>(std::find(mActions.begin(), mActions.end(), action) - mActions.begin());
+    if (place == mActions.size())
+        return {};
     for (const auto &[need, text] : reasons) {
         if (mUnmet[place] & need)
             return translated(text);

@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QObject>
+#include <QPointer>
 
 #include <map>
 
@@ -28,7 +29,17 @@ public:
     //! \pre the id is in actionTable()
     QAction *action(const char *id) const;
     const std::vector<QAction *> &actions() const { return mActions; }
+    //! \pre the action is in actionTable()
     const ActionInfo &info(const QAction *action) const;
+
+    //! An action outside of the table that is found by its name, too, such as that of a panel.
+    struct Other
+    {
+        QPointer<QAction> action; //!< null when its owner is gone
+        QString menu;             //!< path, such as "View/Panels"
+    };
+    void addOther(QAction *action, const QString &menu) { mOthers.push_back({action, menu}); }
+    const std::vector<Other> &others() const { return mOthers; }
 
     //! Other actions with the same shortcut, for the shortcut editor.
     QList<QAction *> conflicts(const QAction *action, const QKeySequence &keys) const;
@@ -36,7 +47,8 @@ public:
     //! Enables the actions whose conditions are all met; the tooltips of the others say what is missing.
     //! \param met mask of ActionNeed
     void setMet(int met);
-    //! Why an action is disabled, one translated sentence; empty for enabled ones.
+    //! Why an action is disabled, one translated sentence; empty for enabled ones and those outside of the
+    //! table.
     QString whyDisabled(const QAction *action) const;
     //! The disabled action that keys would trigger; null when there is none or an enabled one has them.
     QAction *disabledActionOf(const QKeySequence &keys) const;
@@ -50,6 +62,7 @@ private:
     std::vector<QAction *> mActions; //!< in the order of the table
     std::vector<int> mUnmet;         //!< masks of ActionNeed, in the same order
     std::map<QString, QAction *> mById;
+    std::vector<Other> mOthers;
 };
 
 } // namespace autocuts

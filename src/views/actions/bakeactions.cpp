@@ -4,6 +4,7 @@
 #include "views/actions/fileactions.h"
 #include "views/control/livebake.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/proposedfolder.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/bakedialog.h"
 #include "views/dialogs/carrydialog.h"
@@ -13,6 +14,7 @@
 #include "views/ui/questions.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFileInfo>
 
 namespace autocuts {
@@ -50,11 +52,11 @@ void BakeActions::setLight(const jobs::LightChoice &light)
 
 void BakeActions::ask(const Document &document)
 {
-    if (mChoice.folder.isEmpty()) {
-        const QString &model = document.state().scene.path;
-        mChoice.folder = model.isEmpty() ? mContext.preferences.lastFolder() : QFileInfo(model).path();
-    }
-    BakeDialog dialog(document, mChoice, openFilters(), mQuestions);
+    jobs::BakeChoice first = mChoice;
+    // Sessions remember a folder, and may have been moved since.
+    if (!isFolder(first.folder))
+        first.folder = proposedFolder(mContext.workspace, mContext.preferences);
+    BakeDialog dialog(document, first, openFilters(), mQuestions);
     const int answer = mQuestions.run(dialog);
     if (answer == QDialog::Rejected)
         return;
@@ -70,7 +72,8 @@ void BakeActions::ask(const Document &document)
 
 void BakeActions::askCarrying(const Document &document)
 {
-    CarryDialog dialog(document, mCarryChoice, openFilters(), mQuestions);
+    CarryDialog dialog(document, mCarryChoice, proposedFolder(mContext.workspace, mContext.preferences),
+                       openFilters(), mQuestions);
     if (mQuestions.run(dialog) != QDialog::Accepted)
         return;
     const jobs::CarryChoice choice = dialog.choice();
@@ -96,11 +99,12 @@ void BakeActions::show(Pattern pattern)
 
 void BakeActions::askLight(const Document &document)
 {
-    const QString &model = document.state().scene.path;
-    const jobs::LightChoice first = LightBakeDialog::firstChoice(
-        document, model.isEmpty() ? mContext.preferences.lastFolder() : QFileInfo(model).path());
+    const QString folder = proposedFolder(mContext.workspace, mContext.preferences);
+    const jobs::LightChoice first = LightBakeDialog::firstChoice(document, folder);
     if (!mHasLight)
         mLight = first;
+    if (const QFileInfo file(mLight.path); !isFolder(file.path()))
+        mLight.path = QDir(folder).filePath(file.fileName());
     // The set that was made last time, or one in place of a set that is gone.
     if (mLight.uvSet == jobs::LightChoice::newSet || mLight.uvSet >= std::ssize(document.uvSets()))
         mLight.uvSet = first.uvSet;

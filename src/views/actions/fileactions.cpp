@@ -5,6 +5,7 @@
 #include "views/actions/menubuilder.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/proposedfolder.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/exportlayoutdialog.h"
@@ -249,11 +250,9 @@ void FileActions::saveAs()
 
 void FileActions::askRelink()
 {
-    const Document *document = mContext.workspace.document();
-    if (!document)
+    if (!mContext.workspace.document())
         return;
-    const QString old = document->state().scene.path;
-    const QString folder = old.isEmpty() ? mContext.preferences.lastFolder() : QFileInfo(old).path();
+    const QString folder = modelFolder(mContext.workspace, mContext.preferences);
     const QStringList filters{tr("Meshes (%1)").arg(globs(readableFormats())), tr("All files (*)")};
     const QString path = mQuestions.fileToOpen(tr("Re-link model"), folder, filters);
     if (!path.isEmpty())
@@ -365,9 +364,7 @@ QString FileActions::proposedPath(const QString &suffix) const
         base = mContext.workspace.document()->state().scene.path;
     const QFileInfo info(base);
     const QString name = info.completeBaseName().isEmpty() ? tr("untitled") : info.completeBaseName();
-    // Samples have a name but no folder.
-    const bool hasFolder = info.isAbsolute() && info.dir().exists();
-    const QDir folder(hasFolder ? info.path() : mContext.preferences.lastFolder());
+    const QDir folder(proposedFolder(mContext.workspace, mContext.preferences));
     return folder.filePath(suffix.isEmpty() ? name : name + QLatin1Char('.') + suffix);
 }
 

@@ -35,13 +35,16 @@ struct SessionFile
         return path.isEmpty() ? SessionFile()
                               : SessionFile{FileStamp::of(path), std::make_shared<SessionLock>(path)};
     }
-    //! Tells who else has the session open.
-    void tellHolder(const QString &path, QStringList &notes) const
+    //! Who else has the session open: at once for the user, and for later with the notes on the model.
+    void tellHolder(const QString &path, QStringList &told, QStringList &kept) const
     {
-        if (lock && !lock->holder().isEmpty())
-            notes.prepend(FileController::tr(
-                              "%1 is open in %2 as well. What is saved first stays; the other one is asked")
-                              .arg(QFileInfo(path).fileName(), lock->holder()));
+        if (!lock || lock->holder().isEmpty())
+            return;
+        const QString text =
+            FileController::tr("%1 is open in %2 as well. What is saved first stays; the other one is asked")
+                .arg(QFileInfo(path).fileName(), lock->holder());
+        told.prepend(text);
+        kept.prepend(text);
     }
 };
 
@@ -52,7 +55,7 @@ struct Opened
     Result<NewDocument> model = Error{};
     bool isProject = false;
     SessionFile file;
-    QStringList notes; //!< on files beside it
+    QStringList notes; //!< on the file and on those beside it
 };
 
 //! The result of writing files.
@@ -156,7 +159,7 @@ void FileController::open(const QString &path)
             }
             mPreferences.addRecentFile(full);
             if (opened.isProject) {
-                opened.file.tellHolder(full, opened.project->notes);
+                opened.file.tellHolder(full, opened.notes, opened.project->notes);
                 takeFile(full, opened.file.stamp, std::move(opened.file.lock));
                 adoptProject(std::move(opened.project).value(), full, nullptr);
             } else
@@ -191,9 +194,10 @@ void FileController::recover(const RecoverableSession &session)
                 Q_EMIT failed(opened.project.error());
                 return;
             }
-            opened.file.tellHolder(session.sessionPath, opened.project->notes);
+            opened.file.tellHolder(session.sessionPath, opened.notes, opened.project->notes);
             takeFile(session.sessionPath, opened.file.stamp, std::move(opened.file.lock));
             adoptProject(std::move(opened.project).value(), session.sessionPath, &session);
+            tellNotes(opened.notes); // another model takes away what was told before
         });
     if (!started)
         tellBusy(session.file);

@@ -449,25 +449,34 @@ void MapController::bakeLight(const jobs::LightChoice &choice,
             return;
         if (choice.uvSet == jobs::LightChoice::newSet) {
             addLightmapSet();
-            mThen = [this, choice, shown] { startLightBake(choice, shown); };
+            mThen = [this, choice, shown] { startLightBake(choice, shown, true); };
             return;
         }
-        if (choice.uvSet != document->activeUvSet() && choice.uvSet < std::ssize(document->uvSets()))
+        const bool other =
+            choice.uvSet != document->activeUvSet() && choice.uvSet < std::ssize(document->uvSets());
+        if (other)
             pushCommand(std::make_unique<ChooseUvSet>(*document, choice.uvSet));
-        startLightBake(choice, shown);
+        startLightBake(choice, shown, other);
     });
 }
 
-//! Bakes into the active UV set.
+//! Bakes into the active UV set. \param other it is not the one that was active before: that is said
 void MapController::startLightBake(const jobs::LightChoice &choice,
-                                   const std::function<void(int tile, const QImage &picture)> &shown)
+                                   const std::function<void(int tile, const QImage &picture)> &shown,
+                                   bool other)
 {
     const Document &document = *mWorkspace.document();
     // The textures of materials are for the first UV set of the file.
     const int textureSet = document.activeUvSet() == 0 ? 0 : 1;
-    startJob(tr("Baking light"), [choice, model = activeFirst(document), textureSet,
+    const QString set = other ? document.uvSets()[document.activeUvSet()].name : QString();
+    startJob(tr("Baking light"), [choice, model = activeFirst(document), textureSet, set,
                                   shown](const MapInput &input, JobControl &control) {
-        return lightBakeJob(model, textureSet, input, choice, shown, control);
+        MapJobResult result = lightBakeJob(model, textureSet, input, choice, shown, control);
+        for (QString *text : {&result.message, &result.problem}) {
+            if (!set.isEmpty() && !text->isEmpty())
+                *text = tr("%1. The UV set %2 is the active one now").arg(*text, set);
+        }
+        return result;
     });
 }
 

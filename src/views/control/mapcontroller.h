@@ -155,7 +155,7 @@ private:
     void endUselessJob();
     void applyResult(const MapJobResult &result);
     void startLightBake(const jobs::LightChoice &choice,
-                        const std::function<void(int tile, const QImage &picture)> &shown);
+                        const std::function<void(int tile, const QImage &picture)> &shown, bool other);
     bool pushMap(const MapJobResult &result);
     bool pushTextures(const MapJobResult &result);
     void startPacking(const PackTarget &target);

@@ -3,6 +3,7 @@
 #include "jobs/carryplan.h"
 #include "model/document/document.h"
 #include "model/plain/udimtiles.h"
+#include "views/control/proposedfolder.h"
 #include "views/ui/questions.h"
 #include "views/ui/reasons.h"
 
@@ -81,21 +82,21 @@ QString channelNames(const jobs::CarriedPicture &picture)
     return names.join(u", "_s);
 }
 
-//! Where the first texture that is a file lies, or the model.
-QString folderOf(const Document &document)
+//! Where the first texture lies that is a file in a folder that is there.
+QString folderOf(const Document &document, const QString &otherwise)
 {
     for (const jobs::CarriedPicture &picture : jobs::planCarrying(document.state(), {}).pictures) {
-        if (picture.source.content.isEmpty())
-            return QFileInfo(picture.source.file).absolutePath();
+        const QString folder = QFileInfo(picture.source.file).path();
+        if (picture.source.content.isEmpty() && isFolder(folder))
+            return folder;
     }
-    const QString &model = document.state().scene.path;
-    return model.isEmpty() ? QString() : QFileInfo(model).absolutePath();
+    return otherwise;
 }
 
 } // namespace
 
-CarryDialog::CarryDialog(const Document &document, const jobs::CarryChoice &last, const QStringList &filters,
-                         Questions &questions)
+CarryDialog::CarryDialog(const Document &document, const jobs::CarryChoice &last, const QString &folder,
+                         const QStringList &filters, Questions &questions)
     : QDialog(questions.window()), mDocument(document), mQuestions(questions), mFilters(filters),
       mFrom(new QComboBox), mUvSet(new QComboBox), mSize(new QComboBox), mFormat(new QComboBox),
       mFile(new QLineEdit), mFolder(new QLineEdit), mSuffix(new QLineEdit), mMargin(new QSpinBox),
@@ -106,7 +107,8 @@ CarryDialog::CarryDialog(const Document &document, const jobs::CarryChoice &last
     mTiled = tilesToBake(document.mesh(), document.uv(), tileHeight).numbers.size() > 1;
     addSources(last);
     addFormats(last);
-    mFolder->setText(QDir::toNativeSeparators(last.folder.isEmpty() ? folderOf(document) : last.folder));
+    mFolder->setText(
+        QDir::toNativeSeparators(last.folder.isEmpty() ? folderOf(document, folder) : last.folder));
     mFolder->setMinimumWidth(460);
     mSuffix->setText(jobs::freeSuffix(
         document.state(), {QDir::fromNativeSeparators(mFolder->text()), {}, mTiled, last.format}));

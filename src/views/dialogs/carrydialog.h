@@ -27,9 +27,10 @@ class CarryDialog final : public QDialog
 
 public:
     //! \param last what was chosen last time; without a folder or a suffix, some are proposed
+    //! \param folder the one that is proposed where the textures have none
     //! \param filters of the other model's file
-    CarryDialog(const Document &document, const jobs::CarryChoice &last, const QStringList &filters,
-                Questions &questions);
+    CarryDialog(const Document &document, const jobs::CarryChoice &last, const QString &folder,
+                const QStringList &filters, Questions &questions);
 
     jobs::CarryChoice choice() const;
     //! Asks before files are replaced.

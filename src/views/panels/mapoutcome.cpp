@@ -38,6 +38,21 @@ double distortionOfShapes(const Document &document, const MapFigures &figures)
     return area > 0 ? sum / area : figures.metrics.symDirichlet;
 }
 
+//! Whether pins or locks hold all of these islands, so that no packing moves them.
+bool areHeld(const Document &document, const std::vector<std::pair<int, int>> &islands)
+{
+    const Islands &all = document.islands();
+    std::vector<bool> pinned(static_cast<std::size_t>(all.count()), false);
+    for (const UvPin &pin : document.state().constraints.pins) {
+        if (const int island = all.islandOfFace(document.adjacency().faceOfCorner(pin.corner)); island >= 0)
+            pinned[static_cast<std::size_t>(island)] = true;
+    }
+    return std::all_of(islands.begin(), islands.end(), [&](const std::pair<int, int> &island) {
+        return pinned[static_cast<std::size_t>(island.first)] ||
+               document.marks().flagsOf(all.faces(island.first)).locked != 0;
+    });
+}
+
 //! Names islands, and the tiles to which they belong.
 QString offTileText(const std::vector<std::pair<int, int>> &islands)
 {
@@ -78,7 +93,7 @@ MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double
         return {
             what + QStringLiteral(". ") +
                 OutcomeTexts::tr("Not in one tile as a whole: %1.").arg(offTileText(figures.islandsOffTile)),
-            "uv.pack"};
+            areHeld(document, figures.islandsOffTile) ? "" : "uv.pack"};
     const double least = std::min(fewestGutterTexels, double(document.packingSettings().margin));
     if (m.minGutterTexels < least * (1 - tolerance) || m.uvMin.minCoeff() < -tolerance)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Not packed."), "uv.pack");

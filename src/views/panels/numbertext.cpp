@@ -23,7 +23,13 @@ QString fixedText(double value, int decimals)
 
 QString significantText(double value, int digits)
 {
-    return std::isfinite(value) ? QLocale().toString(value, 'g', digits) : missingText();
+    if (!std::isfinite(value))
+        return missingText();
+    // More digits in front of the point than that are written out; exponents are for what is far out of
+    // range.
+    const double size = std::abs(value);
+    const bool whole = size >= std::pow(10, digits) - 0.5 && size < 1e9;
+    return whole ? QLocale().toString(value, 'f', 0) : QLocale().toString(value, 'g', digits);
 }
 
 QString countText(qint64 count)

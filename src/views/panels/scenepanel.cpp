@@ -21,12 +21,14 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QSortFilterProxyModel>
+#include <QStyledItemDelegate>
 #include <QTabBar>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace autocuts {
 
@@ -36,6 +38,20 @@ namespace {
 
 //! The figures are updated when the map has not changed for this time.
 constexpr int settleDelay = 120; //!< milliseconds
+
+//! Names of a model often differ in their ends only.
+class NameDelegate final : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->textElideMode = Qt::ElideMiddle;
+    }
+};
 
 //! Per face: all of it is selected, as a face or by all of its edges or corners.
 std::vector<bool> selectedFaces(const Document &document)
@@ -151,10 +167,30 @@ void ScenePanel::makeTable()
         "MM"_L1, "MMMMMMM"_L1, "000000"_L1, "Islands_"_L1, "00.000"_L1, "px/unit_"_L1, "00.0 %"_L1};
     for (int column = 0; column < SceneTable::ColumnCount; ++column)
         header->resizeSection(column, mView->fontMetrics().horizontalAdvance(widest[column]) + 8);
+    mView->setItemDelegateForColumn(SceneTable::Name, new NameDelegate(mView));
+    connect(header, &QHeaderView::sectionResized, this, [this](int column) {
+        if (column == SceneTable::Name && !mFitting)
+            mFitsNames = false;
+    });
     // Sorted by the file's order until a header is clicked.
     header->setSortIndicator(-1, Qt::AscendingOrder);
     mView->setSortingEnabled(true);
     mSorted->sort(-1);
+}
+
+//! As wide as the names are, as far as half of the list is left for the figures, or as much as they need.
+void ScenePanel::fitNames()
+{
+    if (!mFitsNames || mSorted->rowCount() == 0)
+        return;
+    const QScopedValueRollback fitting(mFitting, true);
+    QHeaderView *header = mView->horizontalHeader();
+    const int space = mView->viewport()->width();
+    const int figures = header->length() - header->sectionSize(SceneTable::Name);
+    const int most = std::max(space / 2, space - figures);
+    const int names = static_cast<const QAbstractItemView *>(mView)->sizeHintForColumn(SceneTable::Name);
+    header->resizeSection(SceneTable::Name,
+                          std::max(header->sectionSizeHint(SceneTable::Name), std::min(names, most)));
 }
 
 QWidget *ScenePanel::makeButtons()
@@ -227,7 +263,9 @@ void ScenePanel::refresh()
         countHidden(*document(), figures);
         mTable->setFigures(kind(), std::move(figures));
     }
-    mRowsStale = mFiguresStale = mHiddenStale = false;
+    if (std::exchange(mRowsStale, false))
+        fitNames();
+    mFiguresStale = mHiddenStale = false;
     selectRows(*document());
     showSummary();
 }
@@ -360,6 +398,8 @@ bool ScenePanel::pressEye(const QPoint &place, bool alone)
 bool ScenePanel::eventFilter(QObject *watched, QEvent *event)
 {
     const auto type = event->type();
+    if (watched == mView->viewport() && type == QEvent::Resize)
+        fitNames();
     if (watched == mView->viewport() &&
         (type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick)) {
         const auto &mouse = static_cast<const QMouseEvent &>(*event);

@@ -36,6 +36,7 @@ private:
     SceneKind kind() const;
     void makeTabs();
     void makeTable();
+    void fitNames();
     QWidget *makeButtons();
     void documentChanged(const ChangeEvent &event);
     void refreshRows();
@@ -62,7 +63,9 @@ private:
     QLabel *mSummary;
     bool mRowsStale = true; //!< the rows are those of another document or of the other kind
     bool mFiguresStale = true, mHiddenStale = false;
-    bool mSyncing = false; //!< rows are being selected after a change of the selection
+    bool mFitsNames = true; //!< until the user has changed the width of their column
+    bool mFitting = false;  //!< it is being changed by the panel
+    bool mSyncing = false;  //!< rows are being selected after a change of the selection
 };
 
 } // namespace autocuts

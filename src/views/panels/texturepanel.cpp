@@ -4,6 +4,7 @@
 #include "model/io/picturefiles.h"
 #include "model/io/texturenames.h"
 #include "views/control/modelpictures.h"
+#include "views/control/proposedfolder.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
 #include "views/panels/lightform.h"
@@ -255,8 +256,7 @@ void TexturePanel::followSelection()
 
 QString TexturePanel::folderToStart() const
 {
-    const QString model = document()->state().scene.path;
-    return model.isEmpty() ? context().preferences.lastFolder() : QFileInfo(model).absolutePath();
+    return modelFolder(context().workspace, context().preferences);
 }
 
 void TexturePanel::loadFolder()

@@ -245,27 +245,21 @@ void MainWindow::makeMenus()
     mStudioActions->file().fillRecentMenu(*mMenus);
     QMenu *panels = mMenus->menu(QStringLiteral("View/Panels"));
     QAction *const before = panels->actions().value(0);
-    for (QDockWidget *dock : mDocks) {
-        QAction *const show = dock->toggleViewAction();
-        panels->insertAction(before, show);
-        connect(show, &QAction::triggered, dock, [dock](bool shown) {
-            if (shown)
-                dock->raise(); // it may be a tab behind others
-        });
-    }
+    mPanels->addTo(*panels, before, mActions);
 
     QToolBar *const bar = mMainBar = addToolBar(tr("Main tool bar"));
     bar->setObjectName(QStringLiteral("mainToolBar"));
     bar->setMovable(false);
     fillToolBar(mActions, *bar);
-    panels->insertAction(before, bar->toggleViewAction());
     QToolBar *const options = mOptionBar = new ToolOptionBar(context(), mTools);
     options->setObjectName(QStringLiteral("toolOptionsBar"));
     options->setMovable(false);
     addToolBar(options);
-    panels->insertAction(before, options->toggleViewAction());
     connect(&mTools, &ToolManager::toolChanged, this, &MainWindow::arrangeToolBars);
-    panels->insertAction(before, makeToolBar()->toggleViewAction());
+    for (QToolBar *toolBar : {bar, options, makeToolBar()}) {
+        panels->insertAction(before, toolBar->toggleViewAction());
+        mActions.addOther(toolBar->toggleViewAction(), panels->objectName());
+    }
     // Added to the window so that all shortcuts work wherever the focus is, also when the menu bar is hidden.
     addActions(QList<QAction *>(mActions.actions().begin(), mActions.actions().end()));
     connect(&mStudioActions->view(), &ViewActions::togglePanels, mPanels, &PanelDocks::toggle);

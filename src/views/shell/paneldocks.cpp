@@ -1,7 +1,11 @@
 #include "views/shell/paneldocks.h"
 
+#include "views/actions/actionregistry.h"
+
+#include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QMenu>
 
 #include <algorithm>
 #include <utility>
@@ -56,6 +60,25 @@ void PanelDocks::toggle()
 QByteArray PanelDocks::arrangement() const
 {
     return isAnyShown() || mBefore.isEmpty() ? mWindow.saveState(mVersion) : mBefore;
+}
+
+void PanelDocks::addTo(QMenu &menu, QAction *before, ActionRegistry &actions)
+{
+    for (QDockWidget *dock : mDocks) {
+        QAction *const toggle = dock->toggleViewAction();
+        menu.insertAction(before, toggle);
+        connect(toggle, &QAction::triggered, dock, [dock](bool shown) {
+            if (shown)
+                dock->raise(); // it may be a tab behind others
+        });
+        // Who looks for a panel wants to see it, also when it is open behind others.
+        auto *const find = new QAction(dock->windowTitle(), dock);
+        connect(find, &QAction::triggered, dock, [dock] {
+            dock->show();
+            dock->raise();
+        });
+        actions.addOther(find, menu.objectName());
+    }
 }
 
 void PanelDocks::showTitles()

@@ -6,10 +6,14 @@
 #include <QObject>
 #include <QTimer>
 
+class QAction;
 class QDockWidget;
 class QMainWindow;
+class QMenu;
 
 namespace autocuts {
+
+class ActionRegistry;
 
 //! Hides and brings back all panels. A panel that is a tab has its name on the tab only; in place of its
 //! title there is a narrow bar by which it can be dragged.
@@ -28,6 +32,8 @@ public:
     //! The version of QMainWindow::saveState() for arrangements from now on.
     void setVersion(int version) { mVersion = version; }
     bool isAnyShown() const;
+    //! Adds the panels to their menu, and to the actions that are found by name: these only ever show them.
+    void addTo(QMenu &menu, QAction *before, ActionRegistry &actions);
 
 private:
     void showTitles();

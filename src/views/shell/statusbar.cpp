@@ -22,7 +22,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr int progressWidth = 140, widestSelection = 260;
+constexpr int progressWidth = 140, widestSelection = 260, widestSet = 150;
 constexpr int settleDelay = 120;  // milliseconds
 constexpr int loadingDelay = 150; // milliseconds; what is read sooner is not worth a word
 
@@ -85,14 +85,18 @@ QString selectionSummary(const Document &document)
 }
 
 StatusBar::StatusBar(const StudioContext &context, QWidget *parent)
-    : QStatusBar(parent), mContext(context), mText(new ElidedLabel), mSelection(new ElidedLabel),
-      mFigures(new FigureStrip), mProgress(new QProgressBar), mCancel(new QToolButton)
+    : QStatusBar(parent), mContext(context), mText(new ElidedLabel), mSet(new ElidedLabel),
+      mSelection(new ElidedLabel), mFigures(new FigureStrip), mProgress(new QProgressBar),
+      mCancel(new QToolButton)
 {
     mText->setObjectName("statusText"_L1);
     mSelection->setObjectName("selectionText"_L1);
     mFigures->setObjectName("statusFigures"_L1);
     addWidget(mText, 1);
     addJob();
+    mSet->setObjectName("uvSetText"_L1);
+    mSet->setWidest(widestSet);
+    addPermanentWidget(mSet);
     mSelection->setWidest(widestSelection);
     addPermanentWidget(mSelection);
     addPermanentWidget(mFigures);
@@ -213,6 +217,11 @@ QString StatusBar::shownText() const
     return mText->text();
 }
 
+QString StatusBar::setText() const
+{
+    return mSet->text();
+}
+
 QString StatusBar::selectionText() const
 {
     return mSelection->text();
@@ -269,6 +278,10 @@ void StatusBar::refresh()
         mSelection->setText(document ? selectionSummary(*document) : QString());
         mSelection->setVisible(!mSelection->text().isEmpty());
     }
+    const bool several = document && document->uvSets().size() > 1;
+    mSet->setText(several ? tr("UV set: %1").arg(document->uvSets()[document->activeUvSet()].name)
+                          : QString());
+    mSet->setVisible(several);
     mFigures->setVisible(document != nullptr);
     // Lambda, delta and the energies belong to the soup.
     const bool soup = mContext.shownMap.isSoup() || mContext.solver.mode() == homotopy::SolveMode::Manual;

@@ -15,8 +15,9 @@ class ElidedLabel;
 class FigureStrip;
 class JobRunner;
 
-//! Shows the hint of the tool, the number of selected elements, figures of the solver and the map, and the
-//! running job. Texts are shortened when the window is narrow; figures keep their positions.
+//! Shows the hint of the tool, the active one of several UV sets, the number of selected elements, figures of
+//! the solver and the map, and the running job. Texts are shortened when the window is narrow; figures keep
+//! their positions.
 class StatusBar final : public QStatusBar
 {
     Q_OBJECT
@@ -48,6 +49,8 @@ public:
     QString shownText() const;
     //! The text about the selection.
     QString selectionText() const;
+    //! Which UV set is edited; empty where there is no choice.
+    QString setText() const;
     //! The figures of the solver and the map.
     const FigureStrip &figures() const { return *mFigures; }
 
@@ -71,7 +74,7 @@ private:
     QTimer mLoadingTimer; //!< runs while nothing is said yet of textures that are being read
     bool mLoadingLong = false;
     bool mSelectionStale = true;
-    ElidedLabel *mText, *mSelection;
+    ElidedLabel *mText, *mSet, *mSelection;
     FigureStrip *mFigures;
     QProgressBar *mProgress;
     QToolButton *mCancel;
