@@ -1,0 +1,171 @@
+// Finishing maps again and again: none gets worse, and what cannot be bettered stays to the last bit.
+#include "model/plain/uvlayout.h"
+#include "model/samples/samples.h"
+#include "solver/metrics/uvmetrics.h"
+#include "solver/unwrap/finishjob.h"
+#include "solver/unwrap/unwrap.h"
+#include "support/meshbuilders.h"
+
+#include <Eigen/Geometry>
+#include <QTest>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+
+class TestFinishAgain : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    //! Islands that Finish changes keep the margin of the layout, and no map is taken that is worse.
+    void finishingAgainMakesNothingWorse()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = makeSample(u"machine"_s).value().mesh;
+        snapshot.keepTiles = true;
+        unwrap::UnwrapOptions draft;
+        draft.quality = unwrap::UnwrapQuality::Draft;
+        UvMatrix uv = unwrap::unwrapMesh(snapshot, draft).uv;
+        const double margin = packing::PackOptions().margin / packing::PackOptions().textureSize;
+        for (int round = 0; round < 2; ++round) {
+            const metrics::UvMetrics before = metrics::measureUv(*snapshot.mesh, uv);
+            QVERIFY(before.minGutter >= 0.999 * margin);
+            snapshot.uv = std::make_shared<const UvMatrix>(uv);
+            snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
+            const unwrap::FinishResult made = unwrap::finishMap({.snapshot = snapshot});
+            const metrics::UvMetrics after = metrics::measureUv(*snapshot.mesh, made.uv);
+            QVERIFY2(after.minGutter >= 0.999 * margin,
+                     qPrintable(QString::number(after.minGutter / margin)));
+            QVERIFY2(after.seamNorm <= before.seamNorm || after.symDirichlet <= before.symDirichlet,
+                     qPrintable(u"round %1: %2 to %3"_s.arg(round).arg(before.seamNorm).arg(after.seamNorm)));
+            QCOMPARE(made.nothingGained, made.uv == uv);
+            if (round == 1)
+                QVERIFY(made.nothingGained);
+            uv = made.uv;
+        }
+    }
+
+    void finishingComesToAnEnd_data()
+    {
+        QTest::addColumn<bool>("symmetry");
+        QTest::newRow("symmetric") << true;
+        QTest::newRow("a rectangle") << false;
+    }
+
+    //! Finishing again and again leaves the map as it is in the end, to the last bit.
+    void finishingComesToAnEnd()
+    {
+        QFETCH(bool, symmetry);
+        Snapshot snapshot;
+        snapshot.mesh = symmetry ? test::sphere(10, 12) : makeSample(u"machine"_s).value().mesh;
+        snapshot.keepTiles = true;
+        snapshot.settings.symmetry = symmetry;
+        unwrap::UnwrapOptions draft;
+        draft.quality = unwrap::UnwrapQuality::Draft;
+        UvMatrix uv = unwrap::unwrapMesh(snapshot, draft).uv;
+        snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
+        if (!symmetry) { // around one of the islands
+            const ChartMap charts = findCharts(*snapshot.mesh, uv);
+            UvRectangle rectangle;
+            Eigen::AlignedBox2d box;
+            for (int s = 0; s < snapshot.mesh->soupCornerCount(); ++s) {
+                if (charts.faceChart[snapshot.mesh->triangleFace[s / 3]] != 0)
+                    continue;
+                rectangle.soupCorners.push_back(s);
+                box.extend(Vec2(uv.row(snapshot.mesh->cornerOfSoup(s))));
+            }
+            rectangle.lower = (box.min() - Vec2::Constant(0.001)) / snapshot.uvScale;
+            rectangle.upper = (box.max() + Vec2::Constant(0.001)) / snapshot.uvScale;
+            rectangle.hard = true;
+            snapshot.editSteering().rectangles.push_back(rectangle);
+        }
+        unwrap::FinishResult made;
+        for (int round = 0; round < 4 && !made.nothingGained; ++round) {
+            snapshot.uv = std::make_shared<const UvMatrix>(uv);
+            made = unwrap::finishMap({.snapshot = snapshot});
+            uv = made.uv;
+        }
+        QVERIFY(made.nothingGained);
+        QVERIFY(uv == *snapshot.uv);
+    }
+
+    //! Where an island only has to move, all keep their shapes unless better ones are known.
+    void islandsThatHaveToMoveKeepTheirShapes()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = makeSample(u"machine"_s).value().mesh;
+        snapshot.keepTiles = true;
+        unwrap::UnwrapOptions draft;
+        draft.quality = unwrap::UnwrapQuality::Draft;
+        UvMatrix uv = unwrap::unwrapMesh(snapshot, draft).uv;
+        snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
+        const auto finish = [&] {
+            snapshot.uv = std::make_shared<const UvMatrix>(uv);
+            return unwrap::finishMap({.snapshot = snapshot});
+        };
+        unwrap::FinishResult made = finish();
+        for (int round = 0; round < 3 && !made.nothingGained; ++round) {
+            uv = made.uv;
+            made = finish();
+        }
+        QVERIFY(made.nothingGained);
+        const metrics::UvMetrics before = metrics::measureUv(*snapshot.mesh, uv);
+        const ChartMap charts = findCharts(*snapshot.mesh, uv);
+        const int last = charts.count - 1;
+        Eigen::AlignedBox2d box;
+        for (int face = 0; face < snapshot.mesh->faceCount(); ++face) {
+            for (int c = snapshot.mesh->faceStart[face];
+                 charts.faceChart[face] == last && c < snapshot.mesh->faceStart[face + 1]; ++c)
+                box.extend(Vec2(uv.row(c)));
+        }
+        const Vec2 move = Vec2(0.5, 0.5) - box.center(); // onto others
+        for (int face = 0; face < snapshot.mesh->faceCount(); ++face) {
+            for (int c = snapshot.mesh->faceStart[face];
+                 charts.faceChart[face] == last && c < snapshot.mesh->faceStart[face + 1]; ++c)
+                uv.row(c) += move.transpose();
+        }
+        QVERIFY(metrics::measureUv(*snapshot.mesh, uv).overlapPairs > 0);
+        made = finish();
+        const metrics::UvMetrics after = metrics::measureUv(*snapshot.mesh, made.uv);
+        QCOMPARE(after.overlapPairs, 0);
+        QVERIFY2(after.seamNorm < (1 + 1e-9) * before.seamNorm,
+                 qPrintable(u"%1 to %2"_s.arg(before.seamNorm).arg(after.seamNorm)));
+    }
+
+    //! A map that Finish cannot better stays, but not where something else is asked for.
+    void whatIsAskedForAnewIsDone()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::sphere(10, 12);
+        snapshot.keepTiles = true;
+        const auto finish = [&](double maxDistortion) {
+            snapshot.uvScale = layoutScale(*snapshot.mesh, *snapshot.uv);
+            return unwrap::finishMap({.snapshot = snapshot, .maxDistortion = maxDistortion});
+        };
+        constexpr double bound = 4.1;
+        UvMatrix uv = unwrap::unwrapMesh(snapshot, {}).uv;
+        unwrap::FinishResult made;
+        for (int round = 0; round < 4 && !made.nothingGained; ++round) {
+            snapshot.uv = std::make_shared<const UvMatrix>(uv);
+            made = finish(bound);
+            uv = made.uv;
+        }
+        QVERIFY(made.nothingGained);
+        QVERIFY(uv == *snapshot.uv);
+        made = finish(4.05);
+        QVERIFY(!made.nothingGained);
+        QVERIFY(made.distortion <= 4.05);
+        const Snapshot before = snapshot;
+        const Vec2 place = Vec2(uv.row(snapshot.mesh->cornerOfSoup(0))) / snapshot.uvScale;
+        snapshot.editSteering().pins.push_back({0, place + Vec2(0.2, 0), false, 100});
+        made = finish(bound);
+        QVERIFY(!made.nothingGained);
+        QVERIFY(made.uv != uv);
+        snapshot = before;
+        snapshot.settings.energy = DistortionEnergy::Amips;
+        QVERIFY(!finish(bound).nothingGained);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFinishAgain)
+#include "tst_finishagain.moc"
