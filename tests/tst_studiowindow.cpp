@@ -295,6 +295,24 @@ private Q_SLOTS:
         }
     }
 
+    //! What is said of the map before ends with an edit, but not what that edit has ended.
+    void aJobThatAnEditEndsIsMissed()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.context.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(studio.jobsRest());
+        const int entries = studio.document()->undoStack().index();
+        QVERIFY(entries > 0);
+        studio.context.map.unwrap(unwrap::UnwrapQuality::Best);
+        QTRY_VERIFY(studio.context.map.jobs().isBusy());
+        studio.action("edit.undo")->trigger();
+        QTRY_VERIFY(!studio.context.map.jobs().isBusy());
+        const auto *notice = studio.window.findChild<NoticeBar *>();
+        QTRY_VERIFY2(notice->message().contains(QStringLiteral("was ended")), qPrintable(notice->message()));
+        QCOMPARE(studio.document()->undoStack().index(), entries - 1);
+    }
+
     //! It takes back what is under way, not what was done before.
     void undoEndsAGesture()
     {

@@ -109,7 +109,7 @@ MadeMap finished(Job &job)
     if (made.noRoom)
         throw noRoom();
     MadeMap map = resultOf(job, atDensity(job, packJobOf(job), std::move(made.uv)));
-    map->outcome.within_bound = made.nothingFree || made.distortion <= job.options.maxDistortion;
+    map->outcome.within_bound = made.nothingFree || made.withinBound;
     setUnmet(made.unmet, map->outcome);
     return map;
 }

@@ -292,7 +292,7 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
                              .arg(made.notReplaced);
     if (made.nothingFree)
         outcome.warnings << nothingFree();
-    else if (made.distortion > mOptions.unwrap.maxDistortion)
+    else if (!made.withinBound)
         sayBoundMissed(made.distortion, outcome);
     outcome.warnings << unmetText(made.unmet);
     if (mJob.stopped())

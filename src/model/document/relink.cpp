@@ -25,13 +25,29 @@ struct RelinkTexts
     Q_DECLARE_TR_FUNCTIONS(Relink)
 };
 
+bool areFew(const FaceMatch &match, const MeshData &before)
+{
+    return 2LL * match.count() < before.faceCount();
+}
+
+//! Where most faces lie elsewhere, by their vertices: the model was moved or deformed, and some faces are
+//! gone or new.
+FaceMatch matchVersions(const MeshData &before, const MeshData &after)
+{
+    FaceMatch match = matchFaces(before, after);
+    if (!areFew(match, before))
+        return match;
+    FaceMatch byNumbers = matchFacesByNumbers(before, after);
+    return areFew(byNumbers, before) ? match : byNumbers;
+}
+
 //! Transfers the parts of a state, one after the other.
 class Carrier
 {
 public:
     Carrier(const DocumentState &from, Scene scene, const std::function<bool()> &stopped)
         : mFrom(from), mBefore(*from.scene.mesh), mAfter(*scene.mesh), mInPlace(scene.mesh),
-          mMatch(matchFaces(mBefore, mAfter)), mStopped(stopped)
+          mMatch(matchVersions(mBefore, mAfter)), mStopped(stopped)
     {
         findPlacement();
         mTo.scene = std::move(scene);
@@ -73,7 +89,7 @@ private:
     void findPlacement()
     {
         const bool elsewhere = transfer::liesElsewhere(mAfter, mBefore);
-        if (2 * mMatch.count() >= mBefore.faceCount() && !elsewhere)
+        if (!areFew(mMatch, mBefore) && !elsewhere)
             return;
         for (const transfer::Placement &placement : transfer::likelyPlacements(mAfter, mBefore)) {
             const auto there = transfer::placed(mAfter, placement);

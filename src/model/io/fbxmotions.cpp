@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <assimp/scene.h>
+#include <functional>
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "model/io/fbxlinks.h"
 #include "model/io/fbxproperties.h"
 
+#include <algorithm>
 #include <assimp/scene.h>
 
 #include <cmath>

@@ -203,20 +203,6 @@ void matchByPosition(const MeshData &before, const MeshData &after, double relat
     matchByVertices(before, after, counterpart, first, Several::None, match);
 }
 
-FaceMatch matchByNumbers(const MeshData &before, const MeshData &after)
-{
-    FaceMatch match = FaceMatch::none(before);
-    std::vector<int> same(static_cast<std::size_t>(after.vertexCount()));
-    std::iota(same.begin(), same.end(), 0);
-    matchByVertices(before, after, same, same, Several::InOrder, match);
-    return match;
-}
-
-bool areFew(const FaceMatch &match, const MeshData &before)
-{
-    return 2LL * match.count() < before.faceCount();
-}
-
 } // namespace
 
 FaceMatch FaceMatch::none(const MeshData &before)
@@ -243,20 +229,25 @@ FaceMatch matchFaces(const MeshData &before, const MeshData &after, double toler
 {
     const bool same = before.vertexCount() == after.vertexCount() && before.faceStart == after.faceStart &&
                       before.cornerVertex == after.cornerVertex;
-    if (!same) {
-        FaceMatch inPlace = matchFacesInPlace(before, after, tolerance);
-        if (before.vertexCount() != after.vertexCount() || !areFew(inPlace, before))
-            return inPlace;
-        // Moved or deformed, and some faces are gone or new.
-        FaceMatch byNumbers = matchByNumbers(before, after);
-        return areFew(byNumbers, before) ? inPlace : byNumbers;
-    }
+    if (!same)
+        return matchFacesInPlace(before, after, tolerance);
     FaceMatch match;
     match.sameTopology = true;
     match.face.resize(static_cast<std::size_t>(before.faceCount()));
     match.corner.resize(static_cast<std::size_t>(before.cornerCount()));
     std::iota(match.face.begin(), match.face.end(), 0);
     std::iota(match.corner.begin(), match.corner.end(), 0);
+    return match;
+}
+
+FaceMatch matchFacesByNumbers(const MeshData &before, const MeshData &after)
+{
+    FaceMatch match = FaceMatch::none(before);
+    if (before.vertexCount() != after.vertexCount())
+        return match;
+    std::vector<int> same(static_cast<std::size_t>(after.vertexCount()));
+    std::iota(same.begin(), same.end(), 0);
+    matchByVertices(before, after, same, same, Several::InOrder, match);
     return match;
 }
 

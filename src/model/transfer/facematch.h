@@ -25,9 +25,10 @@ inline constexpr double equalPositions = 2e-6;
 //! Finds counterparts: faces with the same corners in the same winding at the same positions, whatever their
 //! numbers.
 FaceMatch matchFacesInPlace(const MeshData &before, const MeshData &after, double tolerance = equalPositions);
-//! Finds the counterparts by the rule of relinkDocument(): by numbers where all faces have the same vertices,
-//! else in place, else, where most faces lie elsewhere, by numbers of vertices as far as faces have the same
-//! ones. \param tolerance as equalPositions
+//! Finds the counterparts by numbers where all faces have the same vertices, else in place.
+//! \param tolerance as equalPositions
 FaceMatch matchFaces(const MeshData &before, const MeshData &after, double tolerance = equalPositions);
+//! Finds counterparts wherever they lie: faces with the same vertex numbers in the same winding.
+FaceMatch matchFacesByNumbers(const MeshData &before, const MeshData &after);
 
 } // namespace autocuts

@@ -144,8 +144,12 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
                          job.quiet(), straightness);
     if (job.stopped() && straightness == straight::StraightEffort::Full)
         return;
-    if (mStanding && !mStanding->inPlace && !isBeaten(map))
-        map = mStanding->worth.map;
+    if (mStanding && !mStanding->inPlace) { // its shapes stay, not their places
+        if (isBeaten(map))
+            mStanding.reset();
+        else
+            map = mStanding->worth.map;
+    }
     const bool deformed = fitToRectangles(part, mProblem.soup(), map, job, effort);
     if (deformed && job.stopped()) {
         mUnfitted = std::move(state);
@@ -154,7 +158,7 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     if (definite::coversItself(soup, map))
         return;
     auto result = std::make_shared<LiveMapResult>();
-    const bool placed = (mStanding && !mStanding->inPlace) || isBeaten(map);
+    const bool placed = !mStanding || !mStanding->inPlace || isBeaten(map);
     if (placed) {
         if (mStanding && mStanding->inPlace)
             mStanding.reset();

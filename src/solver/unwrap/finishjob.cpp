@@ -125,11 +125,11 @@ class MapBefore
 public:
     MapBefore(const FinishInput &input, const FreePart &part, std::shared_ptr<const Soup> soup,
               const JobContext &job)
-        : mInput(input), mPart(part), mSoup(std::move(soup)),
-          mProblem(preference::SeamPreference().applied(part.withoutRectangles(), job.threads()))
+        : mInput(input), mPart(part), mSoup(std::move(soup))
     {
         if (input.live || !keepsScales(input.snapshot))
             return;
+        mProblem = preference::SeamPreference().applied(part.withoutRectangles(), job.threads());
         mUnmet = unmetSteering(input.snapshot, *input.snapshot.uv);
         mStanding = standingMap(input.snapshot, part, mSoup, mProblem, input.packing, job);
     }
@@ -157,19 +157,26 @@ public:
         return made.noRoom || !after || !beats(*after, mStanding->worth, mInput.maxDistortion);
     }
 
+    //! Of what may change, where it may stay.
+    std::optional<double> distortion() const
+    {
+        return mStanding ? std::optional(mStanding->worth.distortion) : std::nullopt;
+    }
+
 private:
     const FinishInput &mInput;
     const FreePart &mPart;
     const std::shared_ptr<const Soup> mSoup;
-    const Snapshot mProblem;
+    Snapshot mProblem;
     UnmetSteering mUnmet;
     std::optional<StandingMap> mStanding;
 };
 
 //! Takes the map before back when it obeys more joins, or nothing was gained.
-void keepBetterMap(const FinishInput &input, bool nothingGained, FinishResult &result)
+void keepBetterMap(const FinishInput &input, const MapBefore &mapBefore, FinishResult &result)
 {
     const Snapshot &snapshot = input.snapshot;
+    const bool nothingGained = mapBefore.isAsGoodAs(result);
     UnmetSteering before = unmetSteering(snapshot, *snapshot.uv);
     if (!nothingGained && before.joins.size() >= result.unmet.joins.size())
         return;
@@ -181,6 +188,7 @@ void keepBetterMap(const FinishInput &input, bool nothingGained, FinishResult &r
         return;
     result.uv = *snapshot.uv;
     result.distortion = figures.tileDirichlet;
+    result.withinBound = mapBefore.distortion().value_or(result.distortion) <= input.maxDistortion;
     result.unmet = std::move(before);
     result.noRoom = result.madeSmaller = false;
     result.notReplaced = 0;
@@ -271,6 +279,7 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     if (keepsScales(input.snapshot))
         definite::equalizeDensity(*soup, own, found->map);
     fitToRectangles(*part, soup, found->map, job);
+    result.withinBound = found->map.distortion(*soup) <= input.maxDistortion;
     UvMatrix uv = own.uvScale * cornerUv(*soup, found->map);
     definite::openCuts(own, uv);
     const CutMesh state(*own.mesh, found->map.cut);
@@ -288,7 +297,7 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     result.unmet = unmetSteering(input.snapshot, result.uv);
     result.distortion = tileDirichlet(input.snapshot, result.uv);
     if (!input.live)
-        keepBetterMap(input, before.isAsGoodAs(result), result);
+        keepBetterMap(input, before, result);
     const std::vector<PairState> &states = input.snapshot.steering->pairState;
     const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
     result.heldTogether = joins && !result.noRoom &&

@@ -218,8 +218,9 @@ void LiveMap::steerMap(const JobContext &job)
     updateProblem(job);
     // Coarsening does not stop at once: whoever steers a large mesh gets local searches, which do.
     mExplored = mExplored || mProblem.isForCoarse();
-    if (mBest.given() && mSnapshot->uv && *mSnapshot->uv == mBest.given()->uv)
-        findStanding(job); // the document has the map that was given
+    // The document has the map that was given, and its islands have the sizes that are wanted.
+    if (!mProblem.hasNewSizes() && mBest.given() && mSnapshot->uv && *mSnapshot->uv == mBest.given()->uv)
+        findStanding(job);
     if (mProblem.problem().settings.seams == SeamMode::Only || (!mBest.best() && !mBest.given())) {
         mStage = Stage::Begin;
         return;

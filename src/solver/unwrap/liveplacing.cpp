@@ -34,12 +34,16 @@ void growIntoRectangles(const MeshData &mesh, const ChartMap &charts, PackJob pa
 
 //! Packs islands that are not where they belong. The others stay as long as these find room, with a smaller
 //! margin if need be: while a solve runs, islands that jump are worse than a small margin.
-bool packMisplacedCalmly(const MeshData &mesh, const ChartMap &charts, PackJob pack, UvMatrix &uv)
+//! \param gap that islands keep; afterwards, that for which there was room
+bool packMisplacedCalmly(const MeshData &mesh, const ChartMap &charts, PackJob pack, UvMatrix &uv,
+                         double &gap)
 {
     constexpr int halvings = 2; // of the margin before it is given up
     for (int tries = 0; tries <= halvings && pack.gap > 0; ++tries, pack.gap /= 2) {
-        if (packOnlyMisplaced(mesh, charts, pack, uv))
+        if (packOnlyMisplaced(mesh, charts, pack, uv)) {
+            gap = pack.gap;
             return true;
+        }
     }
     pack.gap = 0;
     return packMisplaced(mesh, charts, pack, uv);
@@ -153,12 +157,14 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     pack.options.keepScale = false;
     pack.keepScaleIfPossible = stays || mBefore;
     pack.hurry = PackHurry::WhenStopped;
-    if (!mGap)
-        mGap = mBegun ? keptGap(*snapshot.mesh, pack, *snapshot.uv) : options.margin / options.textureSize;
+    if (const double margin = marginGap(options); !mGap || mMargin != margin) {
+        mMargin = margin;
+        mGap = mBegun ? keptGap(*snapshot.mesh, pack, *snapshot.uv) : margin;
+    }
     noteDrags(*snapshot.mesh, part.wholeCharts(charts), dragged);
     for (std::size_t face = 0; face < mPutByHand.size(); ++face)
         pack.stays[face] = pack.stays[face] || mPutByHand[face];
-    // Islands come as near to one that was put somewhere as the user likes.
+    // Once the user has put islands somewhere, they are as near to each other as it comes.
     pack.gap = std::ranges::find(mPutByHand, true) == mPutByHand.end() ? *mGap : 0;
     mHadRoom = true;
     const std::vector<bool> held = heldCharts(own, state);
@@ -218,7 +224,7 @@ UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part,
     if (onlyRectangles(pack) && liesFree(*snapshot.mesh, whole, pack, uv))
         growIntoRectangles(*snapshot.mesh, whole, pack, uv);
     else
-        mHadRoom = packMisplacedCalmly(*snapshot.mesh, whole, pack, uv);
+        mHadRoom = packMisplacedCalmly(*snapshot.mesh, whole, pack, uv, *mGap);
     return uv;
 }
 

@@ -14,7 +14,7 @@ namespace autocuts::unwrap {
 //! into the room that is left, and so are those that come nearer to another one than the margin, or than the
 //! islands of the map at the beginning are to each other. Where there is no room, the margin is given up
 //! first; then all charts are packed. Islands that the user has dragged stay where they were put, and the
-//! others make room.
+//! others make room; from then on there is no margin to keep.
 class LivePlacing
 {
 public:
@@ -55,6 +55,7 @@ private:
     std::optional<Before> mBefore;
     std::optional<Before> mBegun;  //!< the part's own map, to whose places charts return that fit there
     std::optional<double> mGap;    //!< that islands keep, UV units; see PackJob::gap
+    double mMargin = 0;            //!< for which that is; see marginGap()
     std::vector<bool> mPutByHand;  //!< per face of the whole mesh; empty: none
     std::vector<bool> mBeforeDrag; //!< the same before the drag that goes on or was the last one
     bool mDrags = false;

@@ -24,6 +24,8 @@ constexpr int mostHurriedPieces = 100;
 //! How far an island may reach out of its rectangle. Chosen by hand far above rounding.
 constexpr double boxTolerance = 1e-9;
 
+constexpr double rounding = 1e-6; // share of a distance
+
 //! A place that islands are packed into.
 struct Bin
 {
@@ -136,10 +138,21 @@ public:
         return true;
     }
 
+    //! See movingCharts().
+    int movingCharts(const ChartMap &charts) const
+    {
+        std::vector<bool> moves(charts.count);
+        for (int face = 0; face < mMesh.faceCount(); ++face) {
+            const int piece = mRigid.pieces.faceChart[face];
+            if (piece >= 0 && !mRigid.locked[piece])
+                moves[charts.faceChart[face]] = true;
+        }
+        return static_cast<int>(std::ranges::count(moves, true));
+    }
+
     //! See keptGap().
     double keptGap(const UvMatrix &uv) const
     {
-        constexpr double rounding = 1e-6; // share of the distance
         const double margin = mPack.options.margin / mPack.options.textureSize;
         std::map<std::pair<int, int>, double> distances;
         visitNearer(margin, uv, [&](int p, int q, double distance) {
@@ -367,6 +380,16 @@ PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &opt
         pack.rectangles.push_back(std::move(rectangle));
     }
     return pack;
+}
+
+double marginGap(const packing::PackOptions &options)
+{
+    return (1 - rounding) * options.margin / options.textureSize;
+}
+
+int movingCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pack)
+{
+    return BinPacker(mesh, charts, pack).movingCharts(charts);
 }
 
 double keptGap(const MeshData &mesh, const PackJob &pack, const UvMatrix &before)

@@ -53,9 +53,15 @@ struct PackJob
 //! groups are rigid, islands of a rectangle stay in it, and the others in their tile.
 [[nodiscard]] PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &options);
 
+//! The margin, less what rounding may take of it. UV units.
+[[nodiscard]] double marginGap(const packing::PackOptions &options);
+
 //! The distance that islands keep which stay where they are when they change: the margin, or less where they
 //! were nearer to each other. UV units. \param before the map so far
 [[nodiscard]] double keptGap(const MeshData &mesh, const PackJob &pack, const UvMatrix &before);
+
+//! The number of charts that packing may move.
+[[nodiscard]] int movingCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pack);
 
 //! True when all islands may move and belong to rectangles: nothing but these says how large they are.
 [[nodiscard]] bool onlyRectangles(const PackJob &pack);

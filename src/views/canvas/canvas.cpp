@@ -221,7 +221,8 @@ void Canvas::uploadForLight()
         mEnvironment = environment;
         mGl->environment.set(*environment);
     }
-    if (mContent.mesh() && (liveNormals || pictures.haveNormals()) && std::exchange(mTangentsStale, false))
+    if (mContent.mesh() && (liveNormals || pictures.haveNormals()) && mContent.isUpToDate() &&
+        std::exchange(mTangentsStale, false))
         mGl->soup.setTangents(mContent.tangents());
 }
 

@@ -246,8 +246,8 @@ const std::vector<SoupVertex> &SceneContent::vertices() const
 int SceneContent::refresh(Amount amount)
 {
     const Document *document = mContext.workspace.document();
-    const bool inTurns =
-        amount == Amount::OneOfLarge && document && document->mesh().triangleCount() > mostTrianglesAtOnce;
+    const bool inTurns = amount == Amount::OneOfLarge && !mCanBeDrawn && document &&
+                         document->mesh().triangleCount() > mostTrianglesAtOnce;
     const int parts = inTurns ? mStale & -mStale : mStale; // the first
     mStale &= ~parts;
     mCanBeDrawn = mCanBeDrawn || mStale == 0;

@@ -17,8 +17,8 @@ namespace autocuts {
 struct ChangeEvent;
 
 //! The arrays of gl/soupbuffers.h for the open document. Events only mark arrays as outdated; refresh()
-//! updates them before they are drawn. Those of large meshes take long, so a window that has to answer lets
-//! them be updated one after the other.
+//! updates them before they are drawn. All those of a large mesh take long, so a window that has to answer
+//! lets the first ones be made one after the other.
 class SceneContent final : public QObject
 {
     Q_OBJECT
@@ -28,10 +28,10 @@ public:
     enum Part { Uvs = 1, Vertices = 2, Faces = 4, Sides = 8, Ghost = 16, Points = 32, AllParts = 63 };
     enum class Amount {
         All,
-        OneOfLarge //!< one array if the mesh is large; changed() is emitted when others are left
+        OneOfLarge //!< one array as long as a large mesh cannot be drawn; changed() asks for the next
     };
-    //! Arrays of larger meshes are not all updated in one turn of the event loop. Chosen by hand: each takes
-    //! some 20 ms for four times as many triangles.
+    //! The first arrays of larger meshes are not all made in one turn of the event loop. Chosen by hand: each
+    //! takes some 20 ms for four times as many triangles.
     static constexpr int mostTrianglesAtOnce = 100'000;
 
     //! \param asMap true for the UV view

@@ -138,18 +138,19 @@ MapInput MapController::input() const
 }
 
 void MapController::startJob(const QString &title,
-                             std::function<MapJobResult(const MapInput &, JobControl &)> work)
+                             std::function<MapJobResult(const MapInput &, JobControl &)> work,
+                             bool replacesMap)
 {
     if (!mWorkspace.document() || mJobs.isBusy())
         return;
     mAgain = nullptr;
     mThen = nullptr;
-    mReplacesMap = false;
-    mSolver.whenPaused([this, title, work = std::move(work)] {
+    mSolver.whenPaused([this, title, replacesMap, work = std::move(work)] {
         if (!mWorkspace.document() || mJobs.isBusy())
             return;
         const auto given = std::make_shared<const MapInput>(input());
         mGiven = given->snapshot.token;
+        mReplacesMap = replacesMap;
         mJobs.start(
             title,
             [given, work](JobControl &control) {
@@ -268,11 +269,13 @@ void MapController::unwrap(unwrap::UnwrapQuality quality, JobReach wanted)
 //! \param faces what it may change, unless that is everything
 void MapController::beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces)
 {
-    startJob(tr("Unwrapping"), [=, better = mPreview.begin()](const MapInput &input, JobControl &control) {
-        return ofReach(unwrapJob(limited(input, reach, faces), quality, better, control), reach);
-    });
+    startJob(
+        tr("Unwrapping"),
+        [=, better = mPreview.begin()](const MapInput &input, JobControl &control) {
+            return ofReach(unwrapJob(limited(input, reach, faces), quality, better, control), reach);
+        },
+        true);
     mAgain = [this, quality, reach, faces] { beginUnwrap(quality, reach, faces); };
-    mReplacesMap = true;
 }
 
 //! Where the map was edited, by undo for example, a job's map would not be used in the end.
@@ -284,7 +287,10 @@ void MapController::endUselessJob()
     mThen = nullptr;
     const QString title = mJobs.title();
     mJobs.abandon();
-    Q_EMIT failed(tr("%1 was ended: the map was edited meanwhile").arg(title));
+    // Later: what was said of the map before ends with this edit.
+    QMetaObject::invokeMethod(
+        this, [this, title] { Q_EMIT failed(tr("%1 was ended: the map was edited meanwhile").arg(title)); },
+        Qt::QueuedConnection);
 }
 
 //! Begins the job again with the document as it is now, also when it has just ended.
@@ -314,11 +320,12 @@ void MapController::finish(JobReach wanted)
     const std::optional<JobReach> reach = asked(wanted);
     if (!reach)
         return;
-    startJob(tr("Finishing"),
-             [reach = *reach, faces = facesOf(*reach)](const MapInput &input, JobControl &control) {
-                 return ofReach(finishJob(limited(input, reach, faces), control), reach);
-             });
-    mReplacesMap = true;
+    startJob(
+        tr("Finishing"),
+        [reach = *reach, faces = facesOf(*reach)](const MapInput &input, JobControl &control) {
+            return ofReach(finishJob(limited(input, reach, faces), control), reach);
+        },
+        true);
 }
 
 void MapController::pack(PackScope scope)

@@ -149,7 +149,9 @@ private:
     MapInput input() const;
     std::optional<JobReach> asked(JobReach reach);
     QList<int> facesOf(JobReach reach) const;
-    void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work);
+    //! \param replacesMap it makes a map in place of the document's
+    void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work,
+                  bool replacesMap = false);
     void beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces);
     void takeUpEdits();
     void endUselessJob();
@@ -167,7 +169,7 @@ private:
     JobPreview mPreview;
     StateToken mGiven;            //!< token of the state that the job was given
     std::function<void()> mAgain; //!< begins the job again; null: it does not take up edits
-    bool mReplacesMap = false;    //!< the running job makes a map in place of the document's
+    bool mReplacesMap = false;    //!< the running job does, see startJob()
     QTimer mAgainSoon;            //!< one new beginning for all edits of a gesture
     bool mBeginsAgain = false;
     unwrap::UnwrapQuality mQuality = unwrap::UnwrapQuality::Standard;

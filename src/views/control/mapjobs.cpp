@@ -46,24 +46,6 @@ QString stageText(const JobProgress &progress, double bound)
                : JobTexts::tr("shortening seams, %1 so far, D %2").arg(seams, distortion);
 }
 
-//! Number of charts that a pack may move.
-int packedCharts(const ChartMap &charts, const unwrap::PackJob &pack)
-{
-    std::vector<bool> packed(charts.count), stays(charts.count);
-    for (std::size_t f = 0; f < pack.movable.size(); ++f) {
-        const bool locked = !pack.faceFlags.empty() && pack.faceFlags[f].locked != 0;
-        const int chart = charts.faceChart[f];
-        if (chart < 0)
-            continue;
-        packed[chart] = packed[chart] || pack.movable[f];
-        stays[chart] = stays[chart] || locked || (!pack.stays.empty() && pack.stays[f]);
-    }
-    int count = 0;
-    for (int chart = 0; chart < charts.count; ++chart)
-        count += packed[chart] && !stays[chart];
-    return count;
-}
-
 QString noRoom(const PackingSettings &packing)
 {
     return packing.keepScale
@@ -375,8 +357,11 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
         result.problem = JobTexts::tr("Select the islands to pack first");
         return result;
     }
-    const int count = packedCharts(charts, pack);
-    if (count == 0) {
+    const int count = unwrap::movingCharts(mesh, charts, pack);
+    bool hasUvs = false;
+    for (int face = 0; face < mesh.faceCount(); ++face)
+        hasUvs = hasUvs || (pack.movable[face] && charts.faceChart[face] >= 0);
+    if (count == 0 && hasUvs) {
         result.problem = JobTexts::tr("Nothing may move: the islands are locked or pinned");
         return result;
     }

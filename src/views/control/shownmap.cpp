@@ -32,6 +32,7 @@ ShownMap::ShownMap(Workspace &workspace, QObject *parent) : QObject(parent), mWo
         stopFading();
         mGhost = {};
         mLive = false;
+        mUv.resize(0, 2);
         mStale = true;
     });
     connect(&workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {

@@ -399,9 +399,11 @@ void SolverController::keeperRests()
     takeMap();
     mMapRests = true;
     Q_EMIT statusChanged();
-    if (mRunning && mPulls.empty() && mMode == homotopy::SolveMode::Budget && !mStepping)
+    if (mRunning && mPulls.empty() && mMode == homotopy::SolveMode::Budget && !mStepping) {
+        mEndsByItself = true;
         pause();
-    else
+        mEndsByItself = false;
+    } else
         endPause(true);
 }
 
@@ -428,7 +430,7 @@ void SolverController::endPause(bool withAnyMap)
     setRunning(false, false);
     if (map)
         tellProblems();
-    if (!changed && mMapRests)
+    if (!changed && mEndsByItself)
         Q_EMIT said(tr("The solve has ended: no better map was found, it stays as it was"));
     for (const auto &then : std::exchange(mWhenPaused, {}))
         then();

@@ -147,6 +147,7 @@ private:
     live::MapKeeper *mKeeper;   //!< lives in mKeeperThread
     LiveDisplay mDisplay;
     bool mMapRests = false; //!< nothing is left to gain on the definite map
+    bool mEndsByItself = false;
     homotopy::SolveMode mMode = homotopy::SolveMode::Budget;
     //! Token of the document's state from which the worker continues; empty when the worker has nothing that
     //! fits the document.

@@ -18,6 +18,7 @@ namespace {
 constexpr double fewestGutterTexels = 1;
 //! How far a map may reach below 0 and still count as inside of the tiles.
 constexpr double tolerance = 1e-6;
+constexpr double rounding = 1e-6; // share of a margin
 
 struct OutcomeTexts
 {
@@ -95,7 +96,7 @@ MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double
                 OutcomeTexts::tr("Not in one tile as a whole: %1.").arg(offTileText(figures.islandsOffTile)),
             areHeld(document, figures.islandsOffTile) ? "" : "uv.pack"};
     const double least = std::min(fewestGutterTexels, double(document.packingSettings().margin));
-    if (m.minGutterTexels < least * (1 - tolerance) || m.uvMin.minCoeff() < -tolerance)
+    if (m.minGutterTexels < least * (1 - rounding) || m.uvMin.minCoeff() < -tolerance)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Not packed."), "uv.pack");
     return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Ready."), "file.exportMesh");
 }
