@@ -1,11 +1,11 @@
 #include "model/io/fbxtwin.h"
 
+#include "model/io/assimpfbxmotions.h"
+#include "model/io/assimpfbxviews.h"
 #include "model/io/assimpmatch.h"
 #include "model/io/assimpsource.h"
 #include "model/io/fbxlinks.h"
-#include "model/io/fbxmotions.h"
 #include "model/io/fbxparsing.h"
-#include "model/io/fbxviews.h"
 
 #include <cmath>
 

@@ -24,7 +24,7 @@ constexpr int mostHurriedPieces = 100;
 //! How far an island may reach out of its rectangle. Chosen by hand far above rounding.
 constexpr double boxTolerance = 1e-9;
 
-constexpr double rounding = 1e-6; // share of a distance
+constexpr double lostByRounding = 1e-6; // share of a distance
 
 //! A place that islands are packed into.
 struct Bin
@@ -166,7 +166,7 @@ public:
             if (distance > 0) // others touch or overlap: on purpose, or they are moved apart
                 gap = std::min(gap, distance);
         }
-        return (1 - rounding) * gap;
+        return (1 - lostByRounding) * gap;
     }
 
 private:
@@ -384,7 +384,7 @@ PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &opt
 
 double marginGap(const packing::PackOptions &options)
 {
-    return (1 - rounding) * options.margin / options.textureSize;
+    return (1 - lostByRounding) * options.margin / options.textureSize;
 }
 
 int movingCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pack)

@@ -1,4 +1,4 @@
-#include "model/io/fbxviews.h"
+#include "model/io/assimpfbxviews.h"
 
 #include "model/io/fbxlinks.h"
 #include "model/io/fbxproperties.h"

@@ -1,4 +1,4 @@
-#include "model/io/fbxmotions.h"
+#include "model/io/assimpfbxmotions.h"
 
 #include "model/io/assimpmatrix.h"
 #include "model/io/fbxlinks.h"
