@@ -257,7 +257,8 @@ private:
     {
         mArtist.use("tool.select");
         require(mArtist.runJob("uv.finish"), u"not finished"_s);
-        requireEntry(u"finish again"_s);
+        const int entries = document().undoStack().index() - mEntries; // none where nothing is gained
+        require(entries == 0 || entries == 1, u"finish again: more than one entry"_s);
         require(mArtist.runJob("uv.pack"), u"not packed"_s);
         requireCleanMap(u"pack"_s);
         require(mProblem.isEmpty() && liesWhereItBelongs(), u"packed outside of tiles and rectangle"_s);
