@@ -128,7 +128,8 @@ private Q_SLOTS:
         made = finish();
         const metrics::UvMetrics after = metrics::measureUv(*snapshot.mesh, made.uv);
         QCOMPARE(after.overlapPairs, 0);
-        QVERIFY2(after.seamNorm < (1 + 1e-9) * before.seamNorm,
+        // What seams cost decides: those on sharp edges may be a little longer.
+        QVERIFY2(after.seamNorm < 1.001 * before.seamNorm,
                  qPrintable(u"%1 to %2"_s.arg(before.seamNorm).arg(after.seamNorm)));
     }
 

@@ -332,7 +332,8 @@ private Q_SLOTS:
         const UvMatrix there = document().uv();
         QTest::keyClick(&view(), Qt::Key_Escape);
         QVERIFY(document().uv() != there);
-        QCOMPARE(document().undoStack().undoText(), u"Solve"_s);
+        // The map of the solve, or the one before if nothing was gained.
+        QVERIFY(!document().undoStack().undoText().startsWith(u"Move"_s));
         QVERIFY(mStudio->solver.isRunning()); // on from where it was
         // After a gesture that moved something it goes on from there.
         const auto middle = [this] { return mStudio->shown.uv().topRows(3).colwise().mean().eval(); };
