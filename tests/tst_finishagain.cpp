@@ -12,6 +12,26 @@
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
+namespace {
+
+//! The document of the sample.
+Snapshot machine()
+{
+    Snapshot snapshot;
+    snapshot.mesh = makeSample(u"machine"_s).value().mesh;
+    snapshot.keepTiles = true;
+    return snapshot;
+}
+
+UvMatrix draftOf(const Snapshot &snapshot)
+{
+    unwrap::UnwrapOptions draft;
+    draft.quality = unwrap::UnwrapQuality::Draft;
+    return unwrap::unwrapMesh(snapshot, draft).uv;
+}
+
+} // namespace
+
 class TestFinishAgain : public QObject
 {
     Q_OBJECT
@@ -20,12 +40,8 @@ private Q_SLOTS:
     //! Islands that Finish changes keep the margin of the layout, and no map is taken that is worse.
     void finishingAgainMakesNothingWorse()
     {
-        Snapshot snapshot;
-        snapshot.mesh = makeSample(u"machine"_s).value().mesh;
-        snapshot.keepTiles = true;
-        unwrap::UnwrapOptions draft;
-        draft.quality = unwrap::UnwrapQuality::Draft;
-        UvMatrix uv = unwrap::unwrapMesh(snapshot, draft).uv;
+        Snapshot snapshot = machine();
+        UvMatrix uv = draftOf(snapshot);
         const double margin = packing::PackOptions().margin / packing::PackOptions().textureSize;
         for (int round = 0; round < 2; ++round) {
             const metrics::UvMetrics before = metrics::measureUv(*snapshot.mesh, uv);
@@ -56,13 +72,11 @@ private Q_SLOTS:
     void finishingComesToAnEnd()
     {
         QFETCH(bool, symmetry);
-        Snapshot snapshot;
-        snapshot.mesh = symmetry ? test::sphere(10, 12) : makeSample(u"machine"_s).value().mesh;
-        snapshot.keepTiles = true;
+        Snapshot snapshot = machine();
         snapshot.settings.symmetry = symmetry;
-        unwrap::UnwrapOptions draft;
-        draft.quality = unwrap::UnwrapQuality::Draft;
-        UvMatrix uv = unwrap::unwrapMesh(snapshot, draft).uv;
+        if (symmetry)
+            snapshot.mesh = test::sphere(10, 12);
+        UvMatrix uv = draftOf(snapshot);
         snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
         if (!symmetry) { // around one of the islands
             const ChartMap charts = findCharts(*snapshot.mesh, uv);
@@ -92,12 +106,8 @@ private Q_SLOTS:
     //! Where an island only has to move, all keep their shapes unless better ones are known.
     void islandsThatHaveToMoveKeepTheirShapes()
     {
-        Snapshot snapshot;
-        snapshot.mesh = makeSample(u"machine"_s).value().mesh;
-        snapshot.keepTiles = true;
-        unwrap::UnwrapOptions draft;
-        draft.quality = unwrap::UnwrapQuality::Draft;
-        UvMatrix uv = unwrap::unwrapMesh(snapshot, draft).uv;
+        Snapshot snapshot = machine();
+        UvMatrix uv = draftOf(snapshot);
         snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
         const auto finish = [&] {
             snapshot.uv = std::make_shared<const UvMatrix>(uv);

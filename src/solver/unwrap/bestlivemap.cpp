@@ -114,12 +114,8 @@ SeamedMap BestLiveMap::alike(SeamedMap map, const JobContext &job)
 //! True when the document's map, if it may stay, is worse than this one.
 bool BestLiveMap::isBeaten(const SeamedMap &map) const
 {
-    if (!mStanding)
-        return true;
-    Candidate candidate;
-    candidate.map = map;
-    candidate.measure(*mProblem.soup(), mProblem.problem());
-    return beats(std::move(candidate), mStanding->worth, mOptions.maxDistortion);
+    return !mStanding ||
+           beats(map, *mProblem.soup(), mProblem.problem(), mStanding->worth, mOptions.maxDistortion);
 }
 
 //! Gives the map out, unless it is not better or overlaps itself after all.

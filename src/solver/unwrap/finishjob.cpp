@@ -119,7 +119,7 @@ bool obeysAsMuch(const UnmetSteering &one, const UnmetSteering &other)
            one.missingSeams.size() <= other.missingSeams.size() && one.bent.size() <= other.bent.size();
 }
 
-//! What a job has to beat; only a document's map.
+//! The map before, and what a job has to beat of it: nothing after a live solve, and of a plain file.
 class MapBefore
 {
 public:
@@ -127,23 +127,21 @@ public:
               const JobContext &job)
         : mInput(input), mPart(part), mSoup(std::move(soup))
     {
-        if (input.live || !keepsScales(input.snapshot))
+        if (input.live)
+            return;
+        mUnmet = unmetSteering(input.snapshot, *input.snapshot.uv);
+        if (!keepsScales(input.snapshot))
             return;
         mProblem = preference::SeamPreference().applied(part.withoutRectangles(), job.threads());
-        mUnmet = unmetSteering(input.snapshot, *input.snapshot.uv);
         mStanding = standingMap(input.snapshot, part, mSoup, mProblem, input.packing, job);
     }
 
     //! Takes the shapes of the map before where only its islands have to move and no better ones are known.
     void keepShapes(SeamedMap &map) const
     {
-        if (!mStanding || mStanding->inPlace || !mUnmet.pins.empty() || !mUnmet.joins.empty() ||
-            !mUnmet.missingSeams.empty())
+        if (!mStanding || mStanding->inPlace || !mUnmet.onlyRectangles())
             return;
-        Candidate candidate;
-        candidate.map = map;
-        candidate.measure(*mSoup, mProblem);
-        if (!beats(std::move(candidate), mStanding->worth, mInput.maxDistortion))
+        if (!beats(map, *mSoup, mProblem, mStanding->worth, mInput.maxDistortion))
             map = mStanding->worth.map;
     }
 
@@ -157,6 +155,7 @@ public:
         return made.noRoom || !after || !beats(*after, mStanding->worth, mInput.maxDistortion);
     }
 
+    const UnmetSteering &unmet() const { return mUnmet; }
     //! Of what may change, where it may stay.
     std::optional<double> distortion() const
     {
@@ -177,7 +176,7 @@ void keepBetterMap(const FinishInput &input, const MapBefore &mapBefore, FinishR
 {
     const Snapshot &snapshot = input.snapshot;
     const bool nothingGained = mapBefore.isAsGoodAs(result);
-    UnmetSteering before = unmetSteering(snapshot, *snapshot.uv);
+    const UnmetSteering &before = mapBefore.unmet();
     if (!nothingGained && before.joins.size() >= result.unmet.joins.size())
         return;
     metrics::UvMetricsOptions options;
@@ -189,7 +188,7 @@ void keepBetterMap(const FinishInput &input, const MapBefore &mapBefore, FinishR
     result.uv = *snapshot.uv;
     result.distortion = figures.tileDirichlet;
     result.withinBound = mapBefore.distortion().value_or(result.distortion) <= input.maxDistortion;
-    result.unmet = std::move(before);
+    result.unmet = before;
     result.noRoom = result.madeSmaller = false;
     result.notReplaced = 0;
     result.nothingGained = nothingGained;

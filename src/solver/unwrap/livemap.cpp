@@ -194,8 +194,7 @@ void LiveMap::findStanding(const JobContext &job)
 {
     if (!mSnapshot->uv)
         return;
-    const UnmetSteering unmet = unmetSteering(*mSnapshot, *mSnapshot->uv);
-    if (unmet.count() == unmet.rectangles.size()) // these only say where islands are
+    if (unmetSteering(*mSnapshot, *mSnapshot->uv).onlyRectangles())
         mBest.setStanding(standingMap(*mSnapshot, mProblem.part(), mProblem.soup(), mProblem.problem(),
                                       mOptions.packing, job));
 }

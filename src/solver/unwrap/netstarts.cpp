@@ -30,8 +30,9 @@ std::shared_ptr<const search::SeamGraph> separated(const search::SeamGraph &grap
     return graph.steeredBy(apart);
 }
 
-} // namespace
-
+//! Maps in which the rigid regions of a problem are joined to nets without stretch. The rest of the surface
+//! is cut off them and has first cuts of the seam search. \param count how many; fewer when stopped, none
+//! when the problem has no rigid regions
 std::vector<SeamedMap> netStarts(const std::shared_ptr<const search::SeamGraph> &graph,
                                  const Snapshot &snapshot, int count, const JobContext &job)
 {
@@ -57,6 +58,8 @@ std::vector<SeamedMap> netStarts(const std::shared_ptr<const search::SeamGraph> 
     }
     return starts;
 }
+
+} // namespace
 
 bool startsFromNets(const Snapshot &snapshot)
 {

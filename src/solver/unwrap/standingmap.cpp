@@ -116,4 +116,13 @@ bool beats(Candidate map, Candidate standing, double maxDistortion)
     return !ranking.better(standing, map) && map.bounded < standing.bounded - leastGain;
 }
 
+bool beats(const SeamedMap &map, const Soup &soup, const Snapshot &problem, const Candidate &standing,
+           double maxDistortion)
+{
+    Candidate candidate;
+    candidate.map = map;
+    candidate.measure(soup, problem);
+    return beats(std::move(candidate), standing, maxDistortion);
+}
+
 } // namespace autocuts::unwrap

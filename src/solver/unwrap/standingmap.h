@@ -30,5 +30,8 @@ standingMap(const Snapshot &snapshot, const FreePart &part, const std::shared_pt
 
 //! True when a map is better: it has cheaper seams within the bound, or the same and less distortion.
 [[nodiscard]] bool beats(Candidate map, Candidate standing, double maxDistortion);
+//! \param problem with the seam preferences in its weights
+[[nodiscard]] bool beats(const SeamedMap &map, const Soup &soup, const Snapshot &problem,
+                         const Candidate &standing, double maxDistortion);
 
 } // namespace autocuts::unwrap

@@ -24,6 +24,8 @@ struct UnmetSteering
         return pins.size() + joins.size() + rectangles.size() + missingSeams.size() + bent.size();
     }
     bool empty() const { return count() == 0; }
+    //! True when nothing is unmet but where islands are.
+    bool onlyRectangles() const { return count() == rectangles.size(); }
 };
 
 //! The edges of Steering::straightLoops that are not on one line with the others of their loop in an island.
