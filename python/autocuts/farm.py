@@ -9,6 +9,7 @@ The options are those of ``autocuts-cli batch``, and those of farm_options() bel
 import argparse
 import asyncio
 import collections
+import concurrent.futures
 import json
 import os
 import shutil
@@ -19,6 +20,7 @@ import time
 
 IN_FLIGHT = 4096  # files that the scheduler knows of at once
 SENT_IN_FLIGHT = 2**28  # bytes of them, when they are sent along
+CONNECTING = 10  # seconds that a client tries to reach its scheduler; the pauses between its tries grow with them
 
 
 def put(path, content):
@@ -145,7 +147,10 @@ class Farm:
     def run(self):
         while self.waiting:
             with self.connect() as client:
-                self.serve(client)
+                # A client connects again by itself. It must not be closed while it does: Dask may wait for ever then.
+                while client.status == "connecting" or (self.waiting and client.status == "running"):
+                    self.serve(client)
+                    time.sleep(0.1)
 
     def serve(self, client):
         """Until all is done, or the scheduler is lost, and with it what it had."""
@@ -155,10 +160,13 @@ class Farm:
 
         def give():
             while self.waiting and len(running) < IN_FLIGHT and self.bytes < SENT_IN_FLIGHT and client.status == "running":
-                task = self.waiting.popleft()
+                task = self.waiting[0]
                 job = self.plan.job(task)
+                future = client.sync(self.submit, client, job, task)
+                if not future:
+                    return
+                self.waiting.popleft()
                 size = sum(len(content) for content in (job["sent"] or {}).values())
-                future = client.submit(work, job, pure=False, retries=self.choice.retries, resources=self.needs(task))
                 running[future] = task, size
                 self.bytes += size
                 finished.add(future)
@@ -167,11 +175,16 @@ class Farm:
         for future in finished:
             task, size = running.pop(future)
             self.bytes -= size
-            if future.status == "cancelled":
-                self.waiting.append(task)
-            else:
-                self.note(task, future)
+            if self.note(task, future):
                 give()
+            else:
+                self.waiting.append(task)
+
+    async def submit(self, client, job, task):
+        """Runs in the client's thread, so that no file is given between the loss of a scheduler and its notice."""
+        if client.status != "running":
+            return None
+        return client.submit(work, job, pure=False, retries=self.choice.retries, resources=self.needs(task))
 
     def needs(self, task):
         if not self.choice.worker_memory:
@@ -179,6 +192,7 @@ class Farm:
         return {"memory": min(task["memory"], self.choice.worker_memory * 1e9)}
 
     def note(self, task, future):
+        """Writes what a file has come to. False if that is lost with the scheduler."""
         from distributed.scheduler import KilledWorker
 
         if future.status == "error":
@@ -186,13 +200,17 @@ class Farm:
             lost = isinstance(error, KilledWorker)
             self.plan.note({"output": task["output"], "status": "crashed" if lost else "failed",
                             "message": "the workers that had it were lost" if lost else str(error)})
-            return
-        line, back, pictures = future.result()
+            return True
+        try:
+            line, back, pictures = future.result()
+        except (concurrent.futures.CancelledError, OSError):
+            return False
         for path, content in back.items():
             put(os.path.join(self.plan.folder, path), content)
         for path, content in pictures.items():
             put(os.path.join(self.plan.root, path), content)
         self.plan.note(line)
+        return True
 
 
 def free_memory():
@@ -205,7 +223,7 @@ def connector(choice):
 
     if not choice.scheduler:
         choice.worker_memory = choice.worker_memory or free_memory() * 3 / 4
-        cluster = LocalCluster(n_workers=1, threads_per_worker=choice.workers, processes=False, dashboard_address=None,
+        cluster = LocalCluster(n_workers=1, threads_per_worker=choice.workers, processes=False, dashboard_address=":0",
                                resources={"memory": choice.worker_memory * 1e9})
         return lambda: Client(cluster)
 
@@ -213,7 +231,7 @@ def connector(choice):
         until = time.monotonic() + choice.patience
         while True:
             try:
-                return Client(choice.scheduler, timeout=max(1, until - time.monotonic()))
+                return Client(choice.scheduler, timeout=CONNECTING)
             except (OSError, asyncio.TimeoutError):
                 if time.monotonic() > until:
                     sys.exit(f"autocuts.farm: no scheduler answers at {choice.scheduler}")
