@@ -348,10 +348,32 @@ void LiveMap::explore(const JobContext &job)
         if (found)
             take(found->map, job);
     }
+    exploreSoup(job);
+    if (job.stopped())
+        return;
     if (!mBest.best()) // the search alone finds no map
         findAnyMap(job);
     mExplored = true;
     mStage = mBest.best() ? Stage::Improve : Stage::Done;
+}
+
+//! Searches from a map of the soup as well, where an unwrap does.
+void LiveMap::exploreSoup(const JobContext &job)
+{
+    if (mProblem.isSymmetric())
+        return;
+    UnwrapOptions soup;
+    soup.maxDistortion = mProblem.plan().searchBound(mOptions.maxDistortion);
+    std::optional<SeamedMap> start = soupStart(mProblem.problem(), soup, job.quiet());
+    if (!start || job.stopped())
+        return;
+    search::OptimizeOptions options = searchOptions(job);
+    options.effort = effortFor(UnwrapQuality::Standard, mProblem.problem().mesh->triangleCount());
+    options.effort.seeds = 0;
+    options.given.push_back(std::move(*start));
+    const std::optional<search::OptimizedMap> found = search::optimizeSeams(mProblem.graph(), options);
+    if (found && !job.stopped())
+        take(found->map, job);
 }
 
 //! One round: several searches on the map, side by side.

@@ -41,6 +41,7 @@ private:
     std::optional<search::CutState> makeQuickMap(const JobContext &job);
     void carryFromCoarse(UnwrapQuality quality, std::optional<search::CutState> quick, const JobContext &job);
     void explore(const JobContext &job);
+    void exploreSoup(const JobContext &job);
     void improve(const JobContext &job);
     void findStanding(const JobContext &job);
     void findAnyMap(const JobContext &job);

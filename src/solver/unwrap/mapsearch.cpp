@@ -75,6 +75,12 @@ bool isComplicated(const MeshData &mesh, UnwrapQuality quality)
     return hasPartWithMore(1, quality == UnwrapQuality::Draft ? 1 : 0, mesh);
 }
 
+//! True when a search from few cuts alone would miss good maps.
+bool startsFromSoup(const Snapshot &snapshot, UnwrapQuality quality)
+{
+    return isComplicated(*snapshot.mesh, quality) && !startsFromNets(snapshot);
+}
+
 //! Borders or handles of a part from which drafts start from clusters. With fewer (teapot, multiComp,
 //! torus_with_holes), they find shorter seams from the soup.
 constexpr int manyBorders = 5, manyHandles = 5;
@@ -85,6 +91,17 @@ constexpr double hardlyRigid = 0.1;
 //! Effort of a draft that starts from clusters. Measured: 300 moves and 5 squeezes in place of 25 and none
 //! shorten the seams of beetle by 34 %, of plane_holes by 6 %, for little time.
 const search::OptimizeEffort clusterEffort{1, {{0, 1}, {300, 1}}, 5, 0.5, 16};
+
+//! \returns nothing also when the mesh is too odd for the soup, such as one of very mixed scales
+std::optional<Candidate> bySoupChains(const Snapshot &snapshot, const UnwrapOptions &options,
+                                      Ranking &ranking, const JobContext &job, int &iterations)
+{
+    try {
+        return bestOfSoupChains(snapshot, options, ranking, job, iterations);
+    } catch (const std::runtime_error &) {
+        return std::nullopt;
+    }
+}
 
 //! Finds the best map of one unwrap, by the seam search and by the soup.
 class MapSearch
@@ -134,8 +151,7 @@ private:
         if (mOptions.lambda)
             best = bySoup(mOptions.quality);
         else if (mSnapshot.settings.start == StartMode::ExistingUv ||
-                 (isComplicated(*mSnapshot.mesh, mOptions.quality) && !startsFromNets(mSnapshot)) ||
-                 (mSnapshot.placesIslands() && !mBefore))
+                 startsFromSoup(mSnapshot, mOptions.quality) || (mSnapshot.placesIslands() && !mBefore))
             best = bySoup(UnwrapQuality::Draft);
         std::optional<Candidate> searched = bySearch(best, nullptr);
         if (mSnapshot.rigid && mSnapshot.rigid->share >= hardlyRigid && searched && isWithinBound(*searched))
@@ -274,17 +290,11 @@ private:
         return state ? std::optional(state->map()) : std::nullopt;
     }
 
-    //! \returns nothing also when the mesh is too odd for the soup, such as one of very mixed scales
     std::optional<Candidate> bySoup(UnwrapQuality quality)
     {
         UnwrapOptions how = mOptions;
         how.quality = quality;
-        std::optional<Candidate> best;
-        try {
-            best = bestOfSoupChains(mSnapshot, how, mRanking, mJob, mIterations);
-        } catch (const std::runtime_error &) {
-            return std::nullopt;
-        }
+        std::optional<Candidate> best = bySoupChains(mSnapshot, how, mRanking, mJob, mIterations);
         if (best && mSnapshot.placesIslands()) {
             best->anchorFaults =
                 search::settleAtAnchors(mGraph, best->map, settleSteps, !mOptions.allowOverlaps, mJob);
@@ -342,6 +352,19 @@ std::optional<Candidate> searchMap(std::shared_ptr<const Soup> soup, const Snaps
     std::optional<Candidate> best = search.find(symmetry);
     iterations += search.iterations();
     return best;
+}
+
+std::optional<SeamedMap> soupStart(const Snapshot &snapshot, const UnwrapOptions &options,
+                                   const JobContext &job)
+{
+    if (!startsFromSoup(snapshot, UnwrapQuality::Standard))
+        return std::nullopt;
+    UnwrapOptions how = options;
+    how.quality = UnwrapQuality::Draft;
+    Ranking ranking(how, job);
+    int iterations = 0;
+    std::optional<Candidate> found = bySoupChains(snapshot, how, ranking, job, iterations);
+    return found ? std::optional(std::move(found->map)) : std::nullopt;
 }
 
 } // namespace autocuts::unwrap

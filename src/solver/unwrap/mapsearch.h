@@ -23,4 +23,9 @@ namespace autocuts::unwrap {
                                                  const JobContext &job,
                                                  const preference::MeshSymmetry *symmetry, int &iterations);
 
+//! A map of the soup, where the surface is such that an unwrap in standard quality starts from one; otherwise
+//! nothing. \param snapshot with the preferences in its weights
+[[nodiscard]] std::optional<SeamedMap> soupStart(const Snapshot &snapshot, const UnwrapOptions &options,
+                                                 const JobContext &job);
+
 } // namespace autocuts::unwrap
