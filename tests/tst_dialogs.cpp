@@ -9,8 +9,10 @@
 #include "views/dialogs/densitydialog.h"
 #include "views/dialogs/exportlayoutdialog.h"
 #include "views/dialogs/exportmeshdialog.h"
+#include "views/dialogs/numberdialog.h"
 #include "views/dialogs/pathfield.h"
 #include "views/dialogs/recoverydialog.h"
+#include "views/dialogs/scatterdialog.h"
 #include "views/ui/icons.h"
 #include "views/ui/theme.h"
 
@@ -349,6 +351,39 @@ private Q_SLOTS:
         Questions questions;
         QCOMPARE(int(questions.askUnsaved(u"a.acproj"_s, false)), answer);
         QVERIFY(text.contains(u"a.acproj"_s));
+    }
+
+    void typingGoesToTheFirstField_data()
+    {
+        QTest::addColumn<QString>("field");
+        QTest::newRow("density") << u"density"_s;
+        QTest::newRow("number") << u"number"_s;
+        QTest::newRow("scatter") << u"move"_s;
+    }
+
+    void typingGoesToTheFirstField()
+    {
+        QFETCH(QString, field);
+        QWidget window;
+        Questions questions(&window);
+        DensityDialog density(523.627, PackingSettings(), &window);
+        NumberDialog number({u"A"_s, u"B"_s, u"C"_s, {}, u"D"_s, 1002, 0, 5000}, &window);
+        ScatterDialog scatter(ScatterRanges(), 1024, &window);
+        for (QDialog *dialog : {static_cast<QDialog *>(&density), static_cast<QDialog *>(&number),
+                                static_cast<QDialog *>(&scatter)}) {
+            auto *box = dialog->findChild<QAbstractSpinBox *>(field);
+            if (!box)
+                continue;
+            QTimer::singleShot(0, dialog, [&] {
+                QVERIFY(QTest::qWaitForWindowActive(dialog));
+                QVERIFY(box->hasFocus());
+                QTest::keyClicks(QApplication::focusWidget(), u"300"_s);
+                QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+            });
+            QCOMPARE(questions.run(*dialog), int(QDialog::Accepted));
+            box->interpretText();
+            QCOMPARE(box->property("value").toDouble(), 300.0);
+        }
     }
 
     void errorIsShownWithoutWaiting()

@@ -89,10 +89,14 @@ class Farming(unittest.TestCase):
                                self.at("dask"))
 
     def start_farm(self, folder, *options):
-        return self.start(sys.executable, "-m", "autocuts.farm", *OPTIONS, "in", "-o", folder, "--progress", "json", *options)
+        return self.start(sys.executable, "-X", "faulthandler", "-m", "autocuts.farm", *OPTIONS, "in", "-o", folder, "--progress", "json", *options)
 
     def compare(self, process, folder):
-        out, err = process.communicate()
+        try:
+            out, err = process.communicate(timeout=200)
+        except subprocess.TimeoutExpired:
+            process.send_signal(signal.SIGABRT)  # it says where it hangs
+            out, err = process.communicate()
         self.assertEqual((process.returncode, out), (1, f"done: {FILES}\nfailed: 1\n"), err)
         self.assertEqual(outputs(self.at(folder)), self.expected)
         with open(self.at(f"{folder}/autocuts-batch.jsonl"), encoding="utf-8") as file:

@@ -300,6 +300,18 @@ private Q_SLOTS:
         QVERIFY(bench.document().uv() == before);
     }
 
+    void theDensityThatIsShownChangesNothing()
+    {
+        IslandBench bench;
+        const double present = meanTexelDensity(bench.document(), {1});
+        const UvMatrix before = bench.document().uv();
+        pushCommand(setTexelDensity(bench.document(), {1}, present + 4e-4));
+        QVERIFY(bench.document().uv() == before);
+        QCOMPARE(bench.stack().count(), 0);
+        pushCommand(setTexelDensity(bench.document(), {1}, present + 2e-3));
+        QCOMPARE(bench.stack().count(), 1);
+    }
+
     void pinsTravelAlong()
     {
         IslandBench bench;

@@ -6160,8 +6160,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Für die Abstände ist kein Platz: nehmen Sie einen kleineren Abstand oder eine größere Textur</translation>
     </message>
     <message>
-        <source>Nothing may change: all islands are locked, stacked or grouped, or outside the scope</source>
-        <translation>Nichts darf sich ändern: alle Inseln sind gesperrt, gestapelt oder gruppiert, oder gehören nicht dazu</translation>
+        <source>Nothing may change: all islands are locked, pinned, stacked or grouped, or outside the scope</source>
+        <translation>Nichts darf sich ändern: alle Inseln sind gesperrt, durch Pins gehalten, gestapelt oder gruppiert, oder gehören nicht dazu</translation>
     </message>
     <message>
         <source>rectangles: %1</source>

@@ -162,7 +162,7 @@ void SolveWorker::takeSnapshot(const Snapshot &snapshot)
     mToken = mSnapshot->token;
     std::optional<unwrap::FreePart> part = unwrap::FreePart::of(*mSnapshot, mPart ? &*mPart : nullptr);
     if (!part)
-        throw std::runtime_error("nothing may change: all islands are locked, stacked or grouped");
+        throw std::runtime_error("nothing may change: all islands are locked, pinned, stacked or grouped");
     if (mSolver && !part->sameFaces(*mPart)) {
         const UvMatrix rows = mPart->wholeRows(rowsOf(mSolver->coordinates()));
         mSolver->load(part->snapshot());

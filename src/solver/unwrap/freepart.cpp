@@ -17,17 +17,41 @@ bool isFree(const IslandFlags &flags)
     return flags.locked == 0 && flags.stack == 0 && flags.group == 0;
 }
 
-//! Per face: true when a job may change it.
-std::vector<bool> freeFaces(const Snapshot &snapshot)
+constexpr double atPin = 1e-7; // distance from a pin, in texture space, of a corner that is at it; by hand
+
+//! Per face: true when hard pins hold all its corners, where the map has them. Empty when there is no map.
+std::vector<bool> pinnedFaces(const Snapshot &snapshot)
+{
+    if (!snapshot.uv)
+        return {};
+    const MeshData &mesh = *snapshot.mesh;
+    std::vector<char> atRest(mesh.soupCornerCount(), 0);
+    for (const Pin &pin : snapshot.steering->pins) {
+        const Vec2 uv = snapshot.uv->row(mesh.cornerOfSoup(pin.soupCorner)).transpose();
+        atRest[pin.soupCorner] = pin.hard && (snapshot.uvScale * pin.target - uv).norm() <= atPin;
+    }
+    std::vector<bool> pinned(mesh.faceCount());
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        const auto corners = mesh.soupCornersOf(face);
+        pinned[face] = std::all_of(corners.begin(), corners.end(), [&](int c) { return atRest[c] != 0; });
+    }
+    return pinned;
+}
+
+//! Per face: true when a job may change it. \param pinned see pinnedFaces()
+std::vector<bool> freeFaces(const Snapshot &snapshot, const std::vector<bool> &pinned)
 {
     std::vector<bool> faces(snapshot.mesh->faceCount(), true);
     if (snapshot.scope)
         faces = snapshot.scope->faces;
+    if (!snapshot.uv)
+        return faces;
     const std::vector<IslandFlags> &flags = snapshot.steering->faceFlags;
-    if (!snapshot.uv || std::all_of(flags.begin(), flags.end(), isFree))
+    if (std::all_of(flags.begin(), flags.end(), isFree) && std::ranges::count(pinned, true) == 0)
         return faces;
     for (const std::vector<int> &island : findCharts(*snapshot.mesh, *snapshot.uv).faces()) {
-        if (isFree(flagsOf(flags, island)))
+        if (isFree(flagsOf(flags, island)) &&
+            !std::ranges::all_of(island, [&](int face) { return pinned[face]; }))
             continue;
         for (const int face : island)
             faces[face] = false;
@@ -57,8 +81,9 @@ bool sameBounds(const Snapshot &a, const Snapshot &b)
 std::optional<FreePart> FreePart::of(const Snapshot &snapshot, const FreePart *previous)
 {
     FreePart part;
-    const bool same = previous && sameBounds(previous->mWhole, snapshot);
-    const std::vector<bool> faces = same ? previous->mFaces : freeFaces(snapshot);
+    part.mPinned = pinnedFaces(snapshot);
+    const bool same = previous && sameBounds(previous->mWhole, snapshot) && part.mPinned == previous->mPinned;
+    const std::vector<bool> faces = same ? previous->mFaces : freeFaces(snapshot, part.mPinned);
     part.mFaces = faces;
     part.mWhole = snapshot;
     part.mSnapshot = withoutBounds(snapshot);

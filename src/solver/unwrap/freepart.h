@@ -12,7 +12,8 @@ namespace autocuts::unwrap {
 
 //! The faces that a job may change, with the steering that acts on them. Every other face keeps its UVs bit
 //! for bit: faces outside the scope, and islands that are locked, stacked or grouped (the last two are rigid:
-//! packing may still move them). Faces without UVs may always change, unless they are outside the scope.
+//! packing may still move them), or whose corners are all held by hard pins. Faces without UVs may always
+//! change, unless they are outside the scope.
 //!
 //! What the steering implies is a cut or a join in the part. Cuts: given seams, the border of the faces of a
 //! rectangle, and the border between faces in different UDIM tiles. Joins: all edges without a given seam
@@ -66,8 +67,9 @@ private:
     void decideGivenSeams();
 
     Snapshot mWhole, mSnapshot;
-    std::vector<bool> mFaces; //!< per face of the whole mesh: it is in the part
-    MeshPart mPart;           //!< null mesh: the whole mesh
+    std::vector<bool> mFaces;  //!< per face of the whole mesh: it is in the part
+    std::vector<bool> mPinned; //!< the same: hard pins hold all its corners; empty when there is no map
+    MeshPart mPart;            //!< null mesh: the whole mesh
     double mUnit = 1;
     //! A corner of the part that is the same UV vertex as a corner of a face outside of it.
     struct Attachment

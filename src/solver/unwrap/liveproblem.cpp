@@ -12,7 +12,7 @@ bool LiveProblem::update(std::shared_ptr<const Snapshot> snapshot, int threads)
     mWhole = std::move(snapshot);
     std::optional<FreePart> part = FreePart::of(*mWhole, mPart ? &*mPart : nullptr);
     if (!part)
-        throw std::runtime_error("nothing may change: all islands are locked, stacked or grouped");
+        throw std::runtime_error("nothing may change: all islands are locked, pinned, stacked or grouped");
     const bool same = mPart && part->sameFaces(*mPart);
     mHasNewSizes = mPart && !same && part->hasOtherSizes(*mPart);
     mPart = std::move(part);

@@ -11,6 +11,8 @@ namespace autocuts {
 
 namespace {
 
+constexpr double shownDensity = 5e-4; //!< what fields for a density round off, in texels per unit
+
 //! Sums over the triangles of one island.
 struct IslandSums
 {
@@ -113,7 +115,8 @@ std::unique_ptr<SetUvs> setTexelDensity(Document &document, const std::vector<in
     const int textureSize = document.packingSettings().textureSize;
     std::vector<int> scaled;
     for (int island : islands) {
-        if (sums[island].density(textureSize) > 0)
+        const double present = sums[island].density(textureSize);
+        if (present > 0 && !(std::abs(present - density) < shownDensity))
             scaled.push_back(island);
     }
     const IslandTransform transform(document, UvEdit::Scale, scaled);

@@ -58,7 +58,7 @@ QString noRoom(const PackingSettings &packing)
 QString nothingFree()
 {
     return JobTexts::tr(
-        "Nothing may change: all islands are locked, stacked or grouped, or outside the scope");
+        "Nothing may change: all islands are locked, pinned, stacked or grouped, or outside the scope");
 }
 
 //! Says what the map does not obey, and what to select.

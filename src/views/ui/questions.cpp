@@ -1,10 +1,12 @@
 #include "views/ui/questions.h"
 
+#include <QAbstractSpinBox>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QUrl>
@@ -23,6 +25,25 @@ QString firstSuffix(const QString &filter)
     while (end < filter.size() && filter[end].isLetterOrNumber())
         ++end;
     return filter.mid(begin + 2, end - begin - 2);
+}
+
+//! What is typed goes to the first field, in place of what it says.
+void focusFirstField(QDialog &dialog)
+{
+    for (QWidget *at = dialog.nextInFocusChain(); at != &dialog; at = at->nextInFocusChain()) {
+        if (at->isHidden() || !at->isEnabledTo(&dialog) || !(at->focusPolicy() & Qt::TabFocus))
+            continue;
+        auto *number = qobject_cast<QAbstractSpinBox *>(at);
+        auto *text = qobject_cast<QLineEdit *>(at);
+        if (!number && !text)
+            continue;
+        at->setFocus();
+        if (number)
+            number->selectAll();
+        else
+            text->selectAll();
+        return;
+    }
 }
 
 } // namespace
@@ -125,6 +146,8 @@ QString Questions::fileToSave(const QString &title, const QString &path, const Q
 
 int Questions::run(QDialog &dialog)
 {
+    if (!dialog.focusWidget())
+        focusFirstField(dialog);
     return dialog.exec();
 }
 
