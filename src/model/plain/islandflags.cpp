@@ -33,6 +33,8 @@ bool isValid(const IslandFlags &flags)
 IslandFlags flagsOf(const std::vector<IslandFlags> &faceFlags, const std::vector<int> &faces)
 {
     IslandFlags flags;
+    if (faceFlags.empty())
+        return flags;
     std::map<std::int32_t, int> stacks, groups;
     for (int face : faces) {
         flags.locked = std::max(flags.locked, faceFlags[face].locked);

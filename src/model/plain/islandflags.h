@@ -26,7 +26,7 @@ static_assert(sizeof(IslandFlags) == 12);
 bool isValid(const IslandFlags &flags);
 
 //! The flags of an island made of the given faces. The rule is in model/document/islands.h.
-//! \param faceFlags one entry per face of the mesh
+//! \param faceFlags one entry per face of the mesh; empty: no island has any
 IslandFlags flagsOf(const std::vector<IslandFlags> &faceFlags, const std::vector<int> &faces);
 
 } // namespace autocuts
