@@ -296,6 +296,7 @@ private Q_SLOTS:
         QCOMPARE(desk.opened.count(), 1);
         QVERIFY(desk.document().state().seams == state.seams);
         QVERIFY(desk.workspace.isModified()); // it is saved nowhere else
+        QCOMPARE(desk.document().undoStack().cleanIndex(), -1);
         QCOMPARE(desk.workspace.sessionPath(), sessions.front().sessionPath);
     }
 

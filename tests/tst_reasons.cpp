@@ -11,6 +11,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QTest>
@@ -146,6 +147,21 @@ private Q_SLOTS:
         palette.accept();
         QVERIFY(!palette.isVisible());
         QCOMPARE(palette.chosen(), studio.action("edit.preferences"));
+    }
+
+    void theSearchForActionsSeesThatAJobEnds()
+    {
+        StudioSession studio;
+        ActionPalette palette(studio.context.actions);
+        const auto *remark = palette.findChild<QLabel *>(u"remark"_s);
+        palette.findChild<QLineEdit *>()->setText(u"unwrap selection"_s);
+        QCOMPARE(palette.chosen(), nullptr);
+        QCOMPARE(remark->text(), u"Open a model first"_s);
+        QAction *action = studio.action("uv.unwrapSelection");
+        action->setEnabled(true);
+        QCOMPARE(palette.chosen(), action);
+        const auto *found = palette.findChild<QListWidget *>();
+        QVERIFY(found->currentItem()->flags() & Qt::ItemIsEnabled);
     }
 
     //! As they stand in the menus: with their dots, and with the menus that lead there.

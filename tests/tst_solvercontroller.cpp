@@ -5,6 +5,7 @@
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/mapedits.h"
+#include "support/meshbuilders.h"
 #include "support/patience.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -195,6 +196,28 @@ private Q_SLOTS:
             QCOMPARE(said.count(), studio.stack().count() == entries ? 1 : 0);
         }
         QCOMPARE(said.count(), 1);
+    }
+
+    //! A corner that is further away than numbers can say.
+    void aSolveWithoutAMapEnds()
+    {
+        for (const SolveMode mode : {SolveMode::Budget, SolveMode::Manual}) {
+            Studio studio;
+            Scene scene;
+            scene.mesh = test::polygonMesh(
+                {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1e60, 1, 1}, {0, 1, 1}},
+                {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}});
+            studio.workspace.open(Document::create(DocumentState::initial(scene)).value(), {});
+            studio.solver.setMode(mode);
+            const QSignalSpy problems(&studio.solver, &SolverController::foundProblems);
+            studio.solver.run();
+            QTest::qWait(1000);
+            QVERIFY(studio.settles());
+            QVERIFY(studio.solver.map() || problems.count() > 0);
+            bool paused = false;
+            studio.solver.whenPaused([&] { paused = true; });
+            QVERIFY(paused);
+        }
     }
 
     void steeringByHandGoesOnFromTheBudget()

@@ -54,6 +54,38 @@ private Q_SLOTS:
         QTRY_COMPARE(bench.bar.shownText(), QStringLiteral("Drag"));
     }
 
+    void aLongMessageGetsTheRoomOfTheSelection()
+    {
+        BarBench bench(700);
+        bench.open();
+        Selection some;
+        some.mode = SelectionMode::Faces;
+        some.faces = {0, 1, 2};
+        bench.document().setSelection(some);
+        QTRY_VERIFY(!bench.bar.selectionText().isEmpty());
+        auto *selection = bench.bar.findChild<QWidget *>(QStringLiteral("selectionText"));
+        bench.bar.showText(QStringLiteral("Saved"));
+        QVERIFY(selection->isVisible());
+        bench.bar.showText(QString(60, u'm'));
+        QVERIFY(!selection->isVisible());
+        bench.bar.showText({});
+        QVERIFY(selection->isVisible());
+    }
+
+    //! No digit is cut off, however many there are.
+    void figuresThatAreLongerThanUsualGetRoom()
+    {
+        FigureStrip strip;
+        const int figure = strip.addFigure(QStringLiteral("D"), QStringLiteral("00.0000"), {});
+        const int usual = strip.sizeHint().width();
+        strip.setFigure(figure, QStringLiteral("4.0000"));
+        QCOMPARE(strip.sizeHint().width(), usual);
+        strip.setFigure(figure, QStringLiteral("3.76e+30, or more"));
+        QVERIFY(strip.sizeHint().width() > usual);
+        strip.setFigure(figure, QStringLiteral("4.0000"));
+        QCOMPARE(strip.sizeHint().width(), usual);
+    }
+
     //! Only where there is a choice.
     void severalSetsAreNamed()
     {

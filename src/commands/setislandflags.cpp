@@ -54,7 +54,7 @@ IslandFlags edited(IslandFlags flags, SetIslandFlags::Edit edit, std::int32_t nu
 } // namespace
 
 SetIslandFlags::SetIslandFlags(Document &document, Edit edit, const std::vector<int> &islands)
-    : DocumentCommand(document), mEdit(edit), mCount(static_cast<int>(islands.size()))
+    : DocumentCommand(document), mEdit(edit)
 {
     const std::vector<IslandFlags> &flags = document.marks().faceFlags;
     std::int32_t number = 0;
@@ -66,6 +66,8 @@ SetIslandFlags::SetIslandFlags(Document &document, Edit edit, const std::vector<
     for (int island : islands) {
         const std::vector<int> &own = document.islands().faces(island);
         faces.insert(faces.end(), own.begin(), own.end());
+        mCount += std::any_of(own.begin(), own.end(),
+                              [&](int face) { return edited(flags[face], edit, number) != flags[face]; });
     }
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());

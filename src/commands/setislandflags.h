@@ -38,7 +38,7 @@ protected:
 
 private:
     Edit mEdit;
-    int mCount;
+    int mCount = 0;  //!< islands whose flags change
     XorDelta mDelta; //!< over IslandMarks::faceFlags
 };
 

@@ -82,6 +82,11 @@ int rankOf(const QString &title, const QString &menu, const QStringList &words)
     return name.startsWith(words.front()) ? 0 : name.contains(words.front()) ? 1 : 2;
 }
 
+QAction *actionOf(const QListWidgetItem &item)
+{
+    return static_cast<QAction *>(item.data(actionRole).value<void *>());
+}
+
 } // namespace
 
 ActionPalette::ActionPalette(const ActionRegistry &actions, QWidget *parent)
@@ -107,6 +112,8 @@ ActionPalette::ActionPalette(const ActionRegistry &actions, QWidget *parent)
     connect(mSearch, &QLineEdit::textChanged, this, &ActionPalette::search);
     connect(mSearch, &QLineEdit::returnPressed, this, &ActionPalette::accept);
     connect(mFound, &QListWidget::itemClicked, this, &ActionPalette::accept);
+    for (const Entry &entry : entriesOf(actions))
+        connect(entry.action, &QAction::enabledChanged, this, &ActionPalette::showWhatRuns);
     search({});
     resizeOnScreen(*this, {520, 420});
 }
@@ -114,7 +121,7 @@ ActionPalette::ActionPalette(const ActionRegistry &actions, QWidget *parent)
 QAction *ActionPalette::current() const
 {
     const QListWidgetItem *item = mFound->currentItem();
-    return item ? static_cast<QAction *>(item->data(actionRole).value<void *>()) : nullptr;
+    return item ? actionOf(*item) : nullptr;
 }
 
 QAction *ActionPalette::chosen() const
@@ -184,10 +191,18 @@ void ActionPalette::search(const QString &text)
         auto *item = new QListWidgetItem(action->icon().isNull() ? mNoIcon : action->icon(), line, mFound);
         item->setData(actionRole, QVariant::fromValue(static_cast<void *>(action)));
         item->setToolTip(action->toolTip());
-        if (!action->isEnabled())
-            item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
     }
     mFound->setCurrentRow(0);
+    showWhatRuns();
+}
+
+//! A job may end while the palette is open.
+void ActionPalette::showWhatRuns()
+{
+    for (int row = 0; row < mFound->count(); ++row) {
+        QListWidgetItem *item = mFound->item(row);
+        item->setFlags(item->flags().setFlag(Qt::ItemIsEnabled, actionOf(*item)->isEnabled()));
+    }
     showRemark();
 }
 

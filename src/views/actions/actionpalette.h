@@ -32,6 +32,7 @@ public:
 private:
     QAction *current() const;
     void search(const QString &text);
+    void showWhatRuns();
     void showRemark();
 
     const ActionRegistry &mActions;

@@ -190,6 +190,13 @@ void saySymmetry(const unwrap::UnwrapResult &made, const MeshData &mesh, MapJobR
         result.problem = result.message + u". "_s + text;
 }
 
+QString distortionText(double distortion)
+{
+    constexpr double written = 1e7; // digits above that say nothing
+    return std::abs(distortion) < written ? QString::number(distortion, 'f', 4)
+                                          : QString::number(distortion, 'g', 3);
+}
+
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
                        std::function<void(const unwrap::UnwrapResult &)> better, JobControl &control)
 {
@@ -216,7 +223,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     result.flags = made.flags;
     if (input.snapshot.settings.surface == SurfaceKind::Auto)
         result.hardShare = made.hardShare;
-    result.message = JobTexts::tr("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
+    result.message = JobTexts::tr("Unwrapped: distortion %1").arg(distortionText(made.distortion));
     sayStraight(made.stopped, made.straight, result);
     if (!made.packed)
         result.problem = noRoom(input.packing);
@@ -229,7 +236,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     else if (!made.withinBound)
         result.problem =
             JobTexts::tr("The distortion of %1 is above the bound of %2: allow more, or remove joins")
-                .arg(made.distortion, 0, 'f', 4)
+                .arg(distortionText(made.distortion))
                 .arg(options.maxDistortion, 0, 'f', 4);
     else if (made.symmetry)
         saySymmetry(made, input.mesh(), result);
@@ -270,7 +277,7 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
     else if (made.nothingGained)
         result.message = JobTexts::tr("Finished: no better map was found, it stays as it was");
     else
-        result.message = JobTexts::tr("Finished: distortion %1").arg(made.distortion, 0, 'f', 4);
+        result.message = JobTexts::tr("Finished: distortion %1").arg(distortionText(made.distortion));
     if (!result.message.isEmpty() && made.madeSmaller)
         result.problem =
             JobTexts::tr("%1. There is no room for the islands at their scale: all of a tile are smaller now")

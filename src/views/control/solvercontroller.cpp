@@ -193,7 +193,7 @@ void SolverController::pause()
         mSendSoon.stop();
         sendSnapshot();
     }
-    endPause();
+    endPause(mMapRests); // no other map will come then
 }
 
 void SolverController::pauseAtOnce()
@@ -430,6 +430,9 @@ void SolverController::endPause(bool withAnyMap)
     setRunning(false, false);
     if (map)
         tellProblems();
+    else if (mMapRests)
+        Q_EMIT foundProblems(tr("The solve found no map of this model: Unwrap makes one of flat patches"),
+                             {});
     if (!changed && mEndsByItself)
         Q_EMIT said(tr("The solve has ended: no better map was found, it stays as it was"));
     for (const auto &then : std::exchange(mWhenPaused, {}))
@@ -447,7 +450,7 @@ void SolverController::tellProblems()
     } else if (!map.withinBound) {
         Q_EMIT foundProblems(tr("The distortion of %1 is above the bound of %2: let the solver run on, allow "
                                 "more, or remove joins")
-                                 .arg(map.distortion, 0, 'f', 4)
+                                 .arg(distortionText(map.distortion))
                                  .arg(mWorkspace.document()->solveSettings().maxDistortion, 0, 'f', 4),
                              {});
     } else if (const QString text = asymmetryText(map.mirroredArea.value_or(1)); !text.isEmpty()) {

@@ -117,6 +117,8 @@ bool Workspace::isInState(const StateToken &token) const
 void Workspace::setRecovered(bool recovered)
 {
     mRecovered = recovered;
+    if (recovered && mDocument)
+        mDocument->undoStack().resetClean(); // no entry is the one that the file has
     Q_EMIT historyChanged();
 }
 

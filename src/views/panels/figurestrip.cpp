@@ -31,8 +31,11 @@ void FigureStrip::setFigure(int number, const QString &text, bool alert)
     Figure &figure = mFigures[number];
     if (figure.text == text && figure.alert == alert)
         return;
+    const int before = widthOf(figure);
     figure.text = text;
     figure.alert = alert;
+    if (widthOf(figure) != before)
+        updateGeometry();
     update();
 }
 
@@ -53,7 +56,9 @@ std::span<const FigureStrip::Figure> FigureStrip::shown() const
 int FigureStrip::widthOf(const Figure &figure) const
 {
     return fontMetrics().horizontalAdvance(figure.caption) + captionGap +
-           fontMetrics().horizontalAdvance(figure.widest) + figureGap;
+           std::max(fontMetrics().horizontalAdvance(figure.widest),
+                    fontMetrics().horizontalAdvance(figure.text)) +
+           figureGap;
 }
 
 int FigureStrip::visibleCount() const

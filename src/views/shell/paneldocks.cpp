@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QTabBar>
 
 #include <algorithm>
 #include <utility>
@@ -95,6 +96,9 @@ void PanelDocks::showTitles()
         dock->setTitleBarWidget(next);
         delete grip;
     }
+    // Names that are cut off look all the same: tabs that find no room are scrolled to.
+    for (QTabBar *tabs : mWindow.findChildren<QTabBar *>(Qt::FindDirectChildrenOnly))
+        tabs->setElideMode(Qt::ElideNone);
 }
 
 } // namespace autocuts

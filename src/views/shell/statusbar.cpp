@@ -262,6 +262,15 @@ void StatusBar::showLeftText()
     if (mLoadingLong && !job)
         text = mMessage.isEmpty() ? tr("Reading textures…") : tr("%1 – reading textures…").arg(mMessage);
     mText->setText(text);
+    showSelection();
+}
+
+//! What is selected leaves its place to a message that would be cut off.
+void StatusBar::showSelection()
+{
+    const int room = mText->width() - (mSelection->isVisibleTo(this) ? 0 : mSelection->sizeHint().width());
+    const bool isLong = !mMessage.isEmpty() && mText->sizeHint().width() > room;
+    mSelection->setVisible(!mSelection->text().isEmpty() && !isLong);
 }
 
 void StatusBar::refreshSoon()
@@ -276,7 +285,7 @@ void StatusBar::refresh()
     if (mSelectionStale) {
         mSelectionStale = false;
         mSelection->setText(document ? selectionSummary(*document) : QString());
-        mSelection->setVisible(!mSelection->text().isEmpty());
+        showSelection();
     }
     const bool several = document && document->uvSets().size() > 1;
     mSet->setText(several ? tr("UV set: %1").arg(document->uvSets()[document->activeUvSet()].name)

@@ -64,6 +64,7 @@ private:
     void showMapFigures();
     void showJob();
     void showLeftText();
+    void showSelection();
     //! The running job; null when there is none.
     JobRunner *runningJob() const;
 
