@@ -182,7 +182,6 @@ private Q_SLOTS:
         PartsStudio studio;
         studio.trigger("uv.stackCopies");
         const DocumentState stacked = studio.document().state();
-        studio.trigger("select.all");
         studio.trigger("uv.unstackCopies");
         QVERIFY(!studio.box(0).intersects(studio.box(1)) && !studio.box(1).intersects(studio.box(2)));
         QCOMPARE(studio.document().undoStack().count(), 2);

@@ -300,6 +300,17 @@ private Q_SLOTS:
         QVERIFY(bench.document().uv() == before);
     }
 
+    void onlyIslandsThatChangeAreCounted()
+    {
+        IslandBench bench;
+        using Edit = SetIslandFlags::Edit;
+        pushCommand(std::make_unique<SetIslandFlags>(bench.document(), Edit::Lock, std::vector<int>{0}));
+        pushCommand(std::make_unique<SetIslandFlags>(bench.document(), Edit::Stack, std::vector<int>{1}));
+        pushCommand(
+            std::make_unique<SetIslandFlags>(bench.document(), Edit::Unstack, std::vector<int>{0, 1}));
+        QCOMPARE(bench.stack().undoText(), QStringLiteral("Unstack 1 island"));
+    }
+
     void theDensityThatIsShownChangesNothing()
     {
         IslandBench bench;

@@ -56,7 +56,7 @@ private Q_SLOTS:
 
     void aLongMessageGetsTheRoomOfTheSelection()
     {
-        BarBench bench(700);
+        BarBench bench;
         bench.open();
         Selection some;
         some.mode = SelectionMode::Faces;
@@ -66,7 +66,7 @@ private Q_SLOTS:
         auto *selection = bench.bar.findChild<QWidget *>(QStringLiteral("selectionText"));
         bench.bar.showText(QStringLiteral("Saved"));
         QVERIFY(selection->isVisible());
-        bench.bar.showText(QString(60, u'm'));
+        bench.bar.showText(QString(120, u'm'));
         QVERIFY(!selection->isVisible());
         bench.bar.showText({});
         QVERIFY(selection->isVisible());
