@@ -6096,16 +6096,16 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Abgebrochen: die Map bleibt, wie sie war</translation>
     </message>
     <message>
-        <source>Relaxed: distortion %1 before, %2 now</source>
-        <translation>Entspannt: Verzerrung vorher %1, jetzt %2</translation>
+        <source>Relaxed: distortion of these faces %1 before, %2 now</source>
+        <translation>Entspannt: Verzerrung dieser Flächen vorher %1, jetzt %2</translation>
     </message>
     <message>
         <source>Select edges that follow each other: a loop without ends, a fork or a locked island cannot be straightened</source>
         <translation>Wählen Sie Kanten aus, die aufeinander folgen: eine Schleife ohne Enden, eine Gabelung oder eine gesperrte Insel lässt sich nicht begradigen</translation>
     </message>
     <message>
-        <source>Chains made straight: %1, distortion %2 before, %3 now</source>
-        <translation>Begradigte Ketten: %1, Verzerrung vorher %2, jetzt %3</translation>
+        <source>Chains made straight: %1, distortion of their islands %2 before, %3 now</source>
+        <translation>Begradigte Ketten: %1, Verzerrung ihrer Inseln vorher %2, jetzt %3</translation>
     </message>
     <message>
         <source>The selected faces are no grid: that needs quads in rows and columns, four around every point inside, not closed around a tube and without pins</source>
@@ -6132,8 +6132,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Dreiecke dieser Inseln sind umgedreht: wickeln Sie sie erst ab</translation>
     </message>
     <message>
-        <source>Islands aligned: %1, distortion %2 before, %3 now</source>
-        <translation>Ausgerichtete Inseln: %1, Verzerrung vorher %2, jetzt %3</translation>
+        <source>Islands aligned: %1, distortion of these islands %2 before, %3 now</source>
+        <translation>Ausgerichtete Inseln: %1, Verzerrung dieser Inseln vorher %2, jetzt %3</translation>
     </message>
     <message>
         <source>solving to the end</source>
@@ -8650,6 +8650,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>The solve has ended: no better map was found, it stays as it was</source>
         <translation>Der Solver ist fertig: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
+    </message>
+    <message>
+        <source>The solve found no map of this model: Unwrap makes one of flat patches</source>
+        <translation>Der Löser fand keine Abwicklung dieses Modells: Abwickeln macht eine aus flachen Stücken</translation>
     </message>
 </context>
 <context>

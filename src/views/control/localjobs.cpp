@@ -152,7 +152,7 @@ MapJobResult relaxJob(const MapInput &input, JobControl &control)
     const homotopy::LocalSolution solution = solved(input, problem, control);
     MapJobResult result = localResult(solution, UvEdit::Relax, static_cast<int>(problem.faces.size()));
     if (result.problem.isEmpty())
-        result.message = JobTexts::tr("Relaxed: distortion %1 before, %2 now")
+        result.message = JobTexts::tr("Relaxed: distortion of these faces %1 before, %2 now")
                              .arg(solution.before, 0, 'f', 4)
                              .arg(solution.after, 0, 'f', 4);
     if (result.uv.rows() > 0)
@@ -186,10 +186,11 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
                     QT_TRANSLATE_NOOP("autocuts::MapController",
                                       "The chain cannot be made straight without turning faces over"));
     if (result.problem.isEmpty())
-        result.message = JobTexts::tr("Chains made straight: %1, distortion %2 before, %3 now")
-                             .arg(found.chains.size())
-                             .arg(solution.before, 0, 'f', 4)
-                             .arg(solution.after, 0, 'f', 4);
+        result.message =
+            JobTexts::tr("Chains made straight: %1, distortion of their islands %2 before, %3 now")
+                .arg(found.chains.size())
+                .arg(solution.before, 0, 'f', 4)
+                .arg(solution.after, 0, 'f', 4);
     if (result.uv.rows() > 0)
         tellNewOverlaps(input, control, result);
     return result;
@@ -293,7 +294,7 @@ MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl
     else if (made.uv.rows() == 0)
         result.problem = JobTexts::tr("Cancelled: the map stays as it was");
     else
-        result.message = JobTexts::tr("Islands aligned: %1, distortion %2 before, %3 now")
+        result.message = JobTexts::tr("Islands aligned: %1, distortion of these islands %2 before, %3 now")
                              .arg(charts.size())
                              .arg(made.before, 0, 'f', 4)
                              .arg(made.after, 0, 'f', 4);
