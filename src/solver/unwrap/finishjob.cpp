@@ -200,7 +200,10 @@ std::optional<definite::RefinedMap> refinedMapBefore(const std::shared_ptr<const
                                                      const JobContext &job)
 {
     const Snapshot problem = preference::SeamPreference().applied(part, job.threads());
-    const auto graph = search::SeamGraph::build(soup, problem);
+    std::optional<preference::MeshSymmetry> symmetry;
+    if (problem.settings.symmetry)
+        symmetry = preference::findSymmetry(*problem.mesh);
+    const auto graph = search::SeamGraph::build(soup, problem, symmetry ? &*symmetry : nullptr);
     const std::optional<search::CutState> state = steeredMapBefore(graph, problem, job);
     if (!state)
         return std::nullopt;

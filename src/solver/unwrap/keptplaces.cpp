@@ -5,6 +5,7 @@
 #include "model/plain/uvseams.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/overlap/overlapfinder.h"
+#include "solver/preference/meshsymmetry.h"
 #include "solver/unwrap/unmetsteering.h"
 
 #include <algorithm>
@@ -26,8 +27,8 @@ bool isAny(const std::vector<bool> &flags)
     return std::ranges::find(flags, true) != flags.end();
 }
 
-//! Islands of the map before and charts of the new one, in *groups*: those that have faces in common. A group
-//! is as before, or new.
+//! Islands of the map before and charts of the new one, in *groups*: those that have faces in common, and with
+//! symmetric seams their mirror images. A group is as before, or new.
 class KeptPlaces final
 {
 public:
@@ -40,6 +41,7 @@ public:
             if (mOld.faceChart[face] >= 0 && made.charts.faceChart[face] >= 0)
                 sets.unite(mOld.faceChart[face], mOld.count + made.charts.faceChart[face]);
         }
+        uniteMirrorImages(sets);
         const auto [label, count] = sets.labels();
         for (int face = 0; face < mMesh.faceCount(); ++face) {
             const int chart = made.charts.faceChart[face];
@@ -82,6 +84,25 @@ public:
     }
 
 private:
+    void uniteMirrorImages(UnionFind &sets) const
+    {
+        if (!mSnapshot.settings.symmetry)
+            return;
+        const std::optional<preference::MeshSymmetry> symmetry = preference::findSymmetry(mMesh);
+        // The island of an edge, -1 on a seam: which side is the image of which is not known there.
+        const auto islandAt = [this](std::size_t edge) {
+            const auto [a, b] = mMesh.edgePairs[edge].triangle;
+            const int one = mOld.faceChart[mMesh.triangleFace[a]];
+            return one == mOld.faceChart[mMesh.triangleFace[b]] ? one : -1;
+        };
+        for (std::size_t e = 0; symmetry && e < mMesh.edgePairs.size(); ++e) {
+            const int image = symmetry->mirrorEdge[e];
+            const int own = islandAt(e), other = image < 0 ? -1 : islandAt(image);
+            if (own >= 0 && other >= 0)
+                sets.unite(own, other);
+        }
+    }
+
     bool isReturned(int face) const { return mGroup[face] >= 0 && mReturned[mGroup[face]]; }
 
     void forbid(int face)
