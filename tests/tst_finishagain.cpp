@@ -1,7 +1,9 @@
 // Finishing maps again and again: none gets worse, and what cannot be bettered stays to the last bit.
 #include "model/plain/uvlayout.h"
+#include "model/plain/uvseams.h"
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
+#include "solver/preference/meshsymmetry.h"
 #include "solver/unwrap/finishjob.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
@@ -28,6 +30,16 @@ UvMatrix draftOf(const Snapshot &snapshot)
     unwrap::UnwrapOptions draft;
     draft.quality = unwrap::UnwrapQuality::Draft;
     return unwrap::unwrapMesh(snapshot, draft).uv;
+}
+
+//! Per edge pair: true when it is a seam.
+std::vector<bool> seamsOf(const MeshData &mesh, const UvMatrix &uv)
+{
+    const std::vector<bool> open = openCornerPairs(mesh, uv);
+    std::vector<bool> seams;
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e)
+        seams.push_back(open[2 * e] || open[2 * e + 1]);
+    return seams;
 }
 
 } // namespace
@@ -101,6 +113,24 @@ private Q_SLOTS:
         }
         QVERIFY(made.nothingGained);
         QVERIFY(uv == *snapshot.uv);
+    }
+
+    void symmetricSeamsStaySymmetric()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = makeSample(u"character"_s).value().mesh;
+        snapshot.keepTiles = true;
+        snapshot.settings.symmetry = true;
+        const std::optional<preference::MeshSymmetry> symmetry = preference::findSymmetry(*snapshot.mesh);
+        QVERIFY(symmetry);
+        const UvMatrix uv = draftOf(snapshot);
+        QCOMPARE(preference::symmetricShare(*snapshot.mesh, *symmetry, seamsOf(*snapshot.mesh, uv)), 1.0);
+        snapshot.uv = std::make_shared<const UvMatrix>(uv);
+        snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
+        const unwrap::FinishResult made = unwrap::finishMap({.snapshot = snapshot});
+        QVERIFY(!made.nothingGained);
+        QCOMPARE(preference::symmetricShare(*snapshot.mesh, *symmetry, seamsOf(*snapshot.mesh, made.uv)),
+                 1.0);
     }
 
     //! Where an island only has to move, all keep their shapes unless better ones are known.

@@ -27,8 +27,8 @@ bool isAny(const std::vector<bool> &flags)
     return std::ranges::find(flags, true) != flags.end();
 }
 
-//! Islands of the map before and charts of the new one, in *groups*: those that have faces in common, and with
-//! symmetric seams their mirror images. A group is as before, or new.
+//! Islands of the map before and charts of the new one, in *groups*: those that have faces in common, and
+//! with symmetric seams their mirror images. A group is as before, or new.
 class KeptPlaces final
 {
 public:
