@@ -3,6 +3,7 @@
 #include "jobs/bakepictures.h"
 #include "model/document/document.h"
 #include "views/control/bakemaptexts.h"
+#include "views/ui/dialogsize.h"
 #include "views/ui/pooltask.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
@@ -99,9 +100,11 @@ BakeDialog::BakeDialog(const Document &document, const jobs::BakeChoice &last, c
     mLive->setAutoDefault(false);
     mLive->setToolTip(
         tr("Show the first chosen map in both views, also while the UVs change; no files are written"));
+    auto *all = new QVBoxLayout;
+    all->addLayout(columns);
+    all->addLayout(files);
     auto *layout = new QVBoxLayout(this);
-    layout->addLayout(columns);
-    layout->addLayout(files);
+    layout->addWidget(scrolled(all), 1);
     layout->addWidget(mProblem);
     layout->addWidget(buttons);
     connect(mLive, &QPushButton::clicked, this, [this] { done(Live); });
@@ -116,6 +119,7 @@ BakeDialog::BakeDialog(const Document &document, const jobs::BakeChoice &last, c
     // Also where it is the number that was there.
     connect(mCage->findChild<QLineEdit *>(), &QLineEdit::textEdited, this, &BakeDialog::cageTyped);
     sourceChanged();
+    resizeOnScreen(*this, sizeHint());
 }
 
 BakeDialog::~BakeDialog()

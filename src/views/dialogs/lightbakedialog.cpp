@@ -5,6 +5,7 @@
 #include "views/dialogs/lampform.h"
 #include "views/dialogs/pathfield.h"
 #include "views/ui/colorbutton.h"
+#include "views/ui/dialogsize.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 #include "views/ui/reasons.h"
@@ -131,7 +132,7 @@ LightBakeDialog::LightBakeDialog(const Document &document, const jobs::LightChoi
     mBake->setObjectName("bake"_L1);
     mBake->setDefault(true);
     auto *layout = new QVBoxLayout(this);
-    layout->addLayout(columns);
+    layout->addWidget(scrolled(columns), 1);
     layout->addWidget(mProblem);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &LightBakeDialog::accept);
@@ -148,6 +149,7 @@ LightBakeDialog::LightBakeDialog(const Document &document, const jobs::LightChoi
     connect(mLamps, &LampForm::changed, this, &LightBakeDialog::showState);
     connect(mPath, &PathField::pathChanged, this, &LightBakeDialog::showState);
     showState();
+    resizeOnScreen(*this, sizeHint());
 }
 
 QWidget *LightBakeDialog::makeSun(const LightPlan &lights)

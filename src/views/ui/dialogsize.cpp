@@ -1,14 +1,49 @@
 #include "views/ui/dialogsize.h"
 
+#include <QLayout>
 #include <QScreen>
-#include <QWidget>
+#include <QScrollArea>
+#include <QScrollBar>
+
+#include <algorithm>
 
 namespace autocuts {
+
+namespace {
+
+//! Wants as much room as its widget does.
+class WholeScrollArea final : public QScrollArea
+{
+public:
+    QSize sizeHint() const override { return widget()->sizeHint(); }
+    QSize minimumSizeHint() const override
+    {
+        // It is scrolled down before it is scrolled to the right.
+        const int bar = verticalScrollBar()->sizeHint().width();
+        return QScrollArea::minimumSizeHint().expandedTo(
+            {std::min(widget()->minimumSizeHint().width() + bar, screen()->availableSize().width() / 2), 0});
+    }
+};
+
+} // namespace
 
 void resizeOnScreen(QWidget &window, const QSize &wanted)
 {
     constexpr QSize frame(24, 48); // more than window frames take
     window.resize(wanted.boundedTo(window.screen()->availableSize() - frame));
+}
+
+QWidget *scrolled(QLayout *layout)
+{
+    auto *area = new WholeScrollArea;
+    auto *content = new QWidget;
+    layout->setContentsMargins(0, 0, 0, 0);
+    content->setLayout(layout);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidgetResizable(true);
+    area->setWidget(content);
+    return area;
 }
 
 } // namespace autocuts

@@ -3,11 +3,15 @@
 
 #include <QSize>
 
+class QLayout;
 class QWidget;
 
 namespace autocuts {
 
 //! Gives a window its first size, less where its screen has no room for it and its frame.
 void resizeOnScreen(QWidget &window, const QSize &wanted);
+
+//! A widget with a layout that is scrolled where the window has no room for it.
+[[nodiscard]] QWidget *scrolled(QLayout *layout);
 
 } // namespace autocuts
