@@ -10,6 +10,7 @@
 #include "views/shell/statusbar.h"
 
 #include <QProgressBar>
+#include <QSignalSpy>
 #include <QToolButton>
 
 using namespace autocuts;
@@ -186,6 +187,20 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.bar.figures().isVisible());
     }
 
+    //! Of a map of many parts, where the mean of the islands, each at its own scale, is another one.
+    void jobsSayTheFigureOfTheBar()
+    {
+        BarBench bench;
+        bench.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("machine")).value()), {});
+        const QSignalSpy done(&bench.map, &MapController::done);
+        bench.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QTRY_VERIFY_WITH_TIMEOUT(!done.isEmpty(), test::panelPatience);
+        QVERIFY(bench.measured());
+        QTRY_VERIFY(bench.bar.figures().figure(StatusBar::Distortion) != QStringLiteral("–"));
+        const QString said = done.first().first().toString();
+        QVERIFY2(said.contains(bench.bar.figures().figure(StatusBar::Distortion)), qPrintable(said));
+    }
+
     void overlapsAreAnAlert()
     {
         BarBench bench;
@@ -238,6 +253,7 @@ private Q_SLOTS:
         auto *const cancel = child<QToolButton>(bench.bar, "cancel");
         QVERIFY(!progress->isVisible());
         QVERIFY(!cancel->isVisible());
+        bench.bar.showText(QStringLiteral("Select something first"));
         std::atomic<bool> report = false;
         bool stopped = false;
         bench.map.jobs().start(

@@ -184,4 +184,12 @@ UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOpt
     return metrics;
 }
 
+UvMetrics measureShapes(const MeshData &mesh, const UvMatrix &uv, double tileHeight)
+{
+    UvMetricsOptions options;
+    options.tileHeight = tileHeight;
+    options.overlaps = options.gutter = false;
+    return measureUv(mesh, uv, options);
+}
+
 } // namespace autocuts::metrics

@@ -25,4 +25,7 @@ struct UvMetricsOptions
 //! \throws std::invalid_argument when uv does not have one row per corner
 UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOptions &options = {});
 
+//! The same without what takes long: overlaps and distances between charts.
+UvMetrics measureShapes(const MeshData &mesh, const UvMatrix &uv, double tileHeight);
+
 } // namespace autocuts::metrics

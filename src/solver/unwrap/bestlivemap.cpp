@@ -171,10 +171,7 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     result->hasRoom = !placed || mPlacing.hadRoom();
     result->mirroredArea = mProblem.mirroredArea();
     result->unmet = unmetSteering(whole, result->uv);
-    metrics::UvMetricsOptions figures;
-    figures.overlaps = figures.gutter = false;
-    figures.tileHeight = whole.tileHeight;
-    const metrics::UvMetrics all = metrics::measureUv(*whole.mesh, result->uv, figures);
+    const metrics::UvMetrics all = metrics::measureShapes(*whole.mesh, result->uv, whole.tileHeight);
     result->seamLength = all.seamNorm;
     result->islands = all.charts;
     result->distortion = all.tileDirichlet;

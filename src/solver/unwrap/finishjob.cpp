@@ -54,14 +54,6 @@ void load(const FinishInput &input, const FreePart &part, int threads, homotopy:
     }
 }
 
-double tileDirichlet(const Snapshot &snapshot, const UvMatrix &uv)
-{
-    metrics::UvMetricsOptions options;
-    options.overlaps = options.gutter = false;
-    options.tileHeight = snapshot.tileHeight;
-    return metrics::measureUv(*snapshot.mesh, uv, options).tileDirichlet;
-}
-
 //! True for the map of a document, whose islands have the sizes that the user gave them. The islands of a map
 //! in a plain file get one texel density.
 bool keepsScales(const Snapshot &snapshot)
@@ -179,10 +171,8 @@ void keepBetterMap(const FinishInput &input, const MapBefore &mapBefore, FinishR
     const UnmetSteering &before = mapBefore.unmet();
     if (!nothingGained && before.joins.size() >= result.unmet.joins.size())
         return;
-    metrics::UvMetricsOptions options;
-    options.overlaps = options.gutter = false;
-    options.tileHeight = snapshot.tileHeight;
-    const metrics::UvMetrics figures = metrics::measureUv(*snapshot.mesh, *snapshot.uv, options);
+    const metrics::UvMetrics figures =
+        metrics::measureShapes(*snapshot.mesh, *snapshot.uv, snapshot.tileHeight);
     if (!nothingGained && (figures.facesWithoutUv > 0 || figures.flipped > 0))
         return;
     result.uv = *snapshot.uv;
@@ -297,7 +287,8 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     }
     place(input, *part, std::move(map), job, result);
     result.unmet = unmetSteering(input.snapshot, result.uv);
-    result.distortion = tileDirichlet(input.snapshot, result.uv);
+    result.distortion =
+        metrics::measureShapes(*input.snapshot.mesh, result.uv, input.snapshot.tileHeight).tileDirichlet;
     if (!input.live)
         keepBetterMap(input, before, result);
     const std::vector<PairState> &states = input.snapshot.steering->pairState;

@@ -207,12 +207,11 @@ bool keepPlaces(const Snapshot &snapshot, const FreePart &part, const PackJob &p
         map = std::move(kept);
         return true;
     }
-    metrics::UvMetricsOptions options;
-    options.overlaps = options.gutter = false;
-    options.tileHeight = snapshot.tileHeight;
-    const metrics::UvMetrics before = metrics::measureUv(mesh, *snapshot.uv, options),
-                             made = metrics::measureUv(mesh, map.uv, options),
-                             mixed = metrics::measureUv(mesh, kept.uv, options);
+    const auto measured = [&](const UvMatrix &uv) {
+        return metrics::measureShapes(mesh, uv, snapshot.tileHeight);
+    };
+    const metrics::UvMetrics before = measured(*snapshot.uv), made = measured(map.uv),
+                             mixed = measured(kept.uv);
     PackJob anew = pack;
     anew.options.keepScale = true;
     if (mixed.seamLength - made.seamLength > worthPacking * before.seamLength &&

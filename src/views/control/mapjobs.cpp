@@ -3,6 +3,7 @@
 #include "jobs/jobtexts.h"
 #include "model/plain/uvlayout.h"
 #include "solver/live/worker.h"
+#include "solver/metrics/uvmetrics.h"
 #include "solver/metrics/uvoverlaps.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
@@ -223,7 +224,9 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     result.flags = made.flags;
     if (input.snapshot.settings.surface == SurfaceKind::Auto)
         result.hardShare = made.hardShare;
-    result.message = JobTexts::tr("Unwrapped: distortion %1").arg(distortionText(made.distortion));
+    const double distortion =
+        metrics::measureShapes(input.mesh(), made.uv, input.snapshot.tileHeight).tileDirichlet;
+    result.message = JobTexts::tr("Unwrapped: distortion %1").arg(distortionText(distortion));
     sayStraight(made.stopped, made.straight, result);
     if (!made.packed)
         result.problem = noRoom(input.packing);

@@ -191,7 +191,11 @@ void StatusBar::connectAll()
         showJob();
     });
     for (const JobRunner *jobs : {&mContext.map.jobs(), &mContext.files.jobs()}) {
-        connect(jobs, &JobRunner::busyChanged, this, &StatusBar::showJob);
+        connect(jobs, &JobRunner::busyChanged, this, [this, jobs] {
+            if (jobs->isBusy())
+                mMessage.clear(); // it is of what was before
+            showJob();
+        });
         connect(jobs, &JobRunner::progressChanged, this, &StatusBar::showJob);
     }
 }
