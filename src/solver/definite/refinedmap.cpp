@@ -48,10 +48,11 @@ bool isBetter(const Soup &soup, const Snapshot &snapshot, const SeamedMap &found
 {
     if (coversItself(soup, found))
         return false;
-    const bool fits = found.distortion(soup) <= maxDistortion;
-    const bool madeFits = made.distortion(soup) <= maxDistortion;
-    const bool cheaper = found.seamCost(soup, snapshot) < made.seamCost(soup, snapshot);
-    return fits == madeFits ? cheaper : fits;
+    const double distortion = found.distortion(soup), before = made.distortion(soup);
+    const bool fits = distortion <= maxDistortion, madeFits = before <= maxDistortion;
+    if (fits != madeFits)
+        return fits;
+    return fits ? found.seamCost(soup, snapshot) < made.seamCost(soup, snapshot) : distortion < before;
 }
 
 //! The map that the seam search makes of a definite map; nothing when it cannot start from there.
