@@ -63,6 +63,7 @@ std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph
     search::OptimizeOptions search;
     search.maxDistortion = maxDistortion;
     search.effort = {0, {{searchMoves, 1}}};
+    search.effort.boundMoves = search::thoroughBoundMoves;
     search.given.push_back(made);
     search.seed = snapshot.settings.seed;
     search.job = job;

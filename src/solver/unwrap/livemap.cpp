@@ -10,6 +10,8 @@
 #include "solver/unwrap/mapsearch.h"
 #include "solver/unwrap/netstarts.h"
 
+#include <utility>
+
 namespace autocuts::unwrap {
 
 namespace {
@@ -131,6 +133,7 @@ void LiveMap::updateProblem(const JobContext &job)
         mBest.forgetBest();
     mBest.forgetWaiting();
     mIdleRounds = 0;
+    mBegunAnew = false;
 }
 
 //! Makes a map of the part, as far as it can be steered, the one to improve.
@@ -379,7 +382,8 @@ void LiveMap::exploreSoup(const JobContext &job)
 //! One round: several searches on the map, side by side.
 void LiveMap::improve(const JobContext &job)
 {
-    const search::OptimizeOptions options = searchOptions(job);
+    search::OptimizeOptions options = searchOptions(job);
+    options.effort.boundMoves = search::thoroughBoundMoves;
     const double before = mBest.best()->cost;
     const bool missed = mBest.misses();
     const int count = job.threads();
@@ -397,7 +401,7 @@ void LiveMap::improve(const JobContext &job)
     const bool gained = mBest.misses() != missed || mBest.best()->cost < (1 - noteworthy) * before;
     mIdleRounds = gained ? 0 : mIdleRounds + 1;
     if (mIdleRounds >= idleRoundsToRest)
-        mStage = Stage::Done;
+        mStage = mBest.misses() && !std::exchange(mBegunAnew, true) ? Stage::Explore : Stage::Done;
 }
 
 search::OptimizeOptions LiveMap::searchOptions(const JobContext &job)

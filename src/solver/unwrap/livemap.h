@@ -58,6 +58,8 @@ private:
     Stage mStage = Stage::Done;
     std::uint64_t mSeed = 0;
     int mIdleRounds = 0; //!< rounds in a row without a noteworthy gain
+    //! Other first cuts were tried because no search from the map met the bound.
+    bool mBegunAnew = false;
 
     LiveProblem mProblem; //!< of mSnapshot, once a stage has begun
     BestLiveMap mBest;
