@@ -14,6 +14,7 @@
 #include "solver/unwrap/keptplaces.h"
 #include "solver/unwrap/keptscale.h"
 #include "solver/unwrap/mapbefore.h"
+#include "solver/unwrap/mapsearch.h"
 #include "solver/unwrap/oldplaces.h"
 #include "solver/unwrap/rectanglefit.h"
 #include "solver/unwrap/standingmap.h"
@@ -32,6 +33,9 @@ constexpr double touchingDelta = 1e-9;
 constexpr double usualSteps = 1000;
 //! Time for straightening after a stop. Chosen by hand.
 constexpr auto timeAfterStop = std::chrono::milliseconds(100);
+//! Share of the stretch above the bound that other seams may leave to be taken in place of those of the map.
+//! Chosen by hand.
+constexpr double worthOtherSeams = 0.5;
 constexpr double sameSize = 1e-6; // maps of sizes that differ by this share are equally large
 
 void load(const FinishInput &input, const FreePart &part, int threads, homotopy::Solver &solver)
@@ -198,8 +202,28 @@ std::optional<definite::RefinedMap> refinedMapBefore(const std::shared_ptr<const
     if (!state)
         return std::nullopt;
     const UvMatrix rows = soupUv(*part.mesh, *part.uv) / part.uvScale;
-    return definite::refineMap(graph, problem, {state->map(), state->anchorFaults()},
-                               {rows.data(), rows.data() + rows.size()}, maxDistortion, job);
+    const auto refined = [&](SeamedMap map, int anchorFaults) {
+        return definite::refineMap(graph, problem, {std::move(map), anchorFaults},
+                                   {rows.data(), rows.data() + rows.size()}, maxDistortion, job);
+    };
+    definite::RefinedMap made = refined(state->map(), state->anchorFaults());
+    const double distortion = made.map.distortion(*soup);
+    if (distortion <= maxDistortion || job.stopped())
+        return made;
+    // No search from the map meets the bound: one from other first cuts may.
+    search::OptimizeOptions anew;
+    anew.maxDistortion = maxDistortion;
+    anew.effort = effortFor(UnwrapQuality::Standard, part.mesh->triangleCount());
+    anew.seed = problem.settings.seed;
+    anew.job = job.quiet();
+    if (std::optional<search::OptimizedMap> found = search::optimizeSeams(graph, anew)) {
+        definite::RefinedMap other = refined(std::move(found->map), found->anchorFaults);
+        const double excess = other.map.distortion(*soup) - maxDistortion;
+        if (other.anchorFaults <= made.anchorFaults &&
+            excess <= worthOtherSeams * (distortion - maxDistortion))
+            return other;
+    }
+    return made;
 }
 
 //! The map of the soup: of a live solve, or of the map before as a soup that touches itself.

@@ -62,6 +62,13 @@ QString nothingFree()
         "Nothing may change: all islands are locked, pinned, stacked or grouped, or outside the scope");
 }
 
+QString aboveBound(double distortion, double bound)
+{
+    return JobTexts::tr("The distortion of %1 is above the bound of %2: allow more, or remove joins")
+        .arg(distortionText(distortion))
+        .arg(bound, 0, 'f', 4);
+}
+
 //! Says what the map does not obey, and what to select.
 void showUnmet(const MapInput &input, const unwrap::UnmetSteering &unmet, MapJobResult &result)
 {
@@ -237,10 +244,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     else if (!made.unmet.empty())
         showUnmet(input, made.unmet, result);
     else if (!made.withinBound)
-        result.problem =
-            JobTexts::tr("The distortion of %1 is above the bound of %2: allow more, or remove joins")
-                .arg(distortionText(made.distortion))
-                .arg(options.maxDistortion, 0, 'f', 4);
+        result.problem = aboveBound(made.distortion, options.maxDistortion);
     else if (made.symmetry)
         saySymmetry(made, input.mesh(), result);
     return result;
@@ -277,6 +281,8 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
         result.problem =
             JobTexts::tr("The map still covers itself: joined edges hold it together there. Clear "
                          "some joins and finish again");
+    else if (!made.withinBound && input.snapshot.settings.seams != SeamMode::Only)
+        result.problem = aboveBound(made.distortion, finish.maxDistortion);
     else if (made.nothingGained)
         result.message = JobTexts::tr("Finished: no better map was found, it stays as it was");
     else
