@@ -96,6 +96,7 @@ private:
     bool hasManySmallCharts() const { return mState.smallParts > CutState::manySmallParts; }
     double score() const;
     bool fits(const CutState &state) const;
+    double tightness() const;
     double bound() const;
     double steeringCost() const;
     void meetBound(double mostCost);
