@@ -360,6 +360,15 @@ private Q_SLOTS:
         QCOMPARE(made.many->report, expected.many->report);
     }
 
+    //! Qt would take them for resources of the program.
+    void namesMayBeginWithAColon()
+    {
+        const CliOptions o = parsed("unwrap :in.obj -o :out.obj --report :r.json");
+        QCOMPARE(o.input, QStringLiteral("./:in.obj"));
+        QCOMPARE(o.output, QStringLiteral("./:out.obj"));
+        QCOMPARE(o.report, QStringLiteral("./:r.json"));
+    }
+
     void aFolderIsNoBatchWhereTheCommandNeedsOne()
     {
         QVERIFY(!parsed("bake a -o b/").many);

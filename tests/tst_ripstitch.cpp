@@ -1,6 +1,7 @@
 // Ripping and stitching in the real window: by mouse and keys, as one entry each, before and after a live
 // solve.
 #include "commands/editpins.h"
+#include "commands/newmap.h"
 #include "commands/replay.h"
 #include "commands/setislandflags.h"
 #include "model/io/projectfile.h"
@@ -269,6 +270,27 @@ private Q_SLOTS:
         QVERIFY(window.stitch());
         QVERIFY(window.failed.last().first().toString().contains(u"both sides are locked or pinned"_s));
         QVERIFY(document.uv() == uv);
+    }
+
+    void whatComesToLieOnOthersIsSaid()
+    {
+        GridWindow window(0, 2);
+        Document &document = window.document();
+        // The last column becomes an island of its own, where the right half will come to lie.
+        UvMatrix uv = document.uv();
+        for (int c = 0; c < document.mesh().cornerCount(); ++c) {
+            if (document.adjacency().faceOfCorner(c) % size == size - 1)
+                uv(c, 0) -= 0.5;
+        }
+        pushCommand(newMapCommand(document, UvEdit::Solve, uv));
+        QCOMPARE(document.islands().count(), 3);
+        pushCommand(
+            std::make_unique<SetIslandFlags>(document, SetIslandFlags::Edit::Lock, std::vector<int>{0}));
+        window.select(window.column(4));
+        QVERIFY(window.stitch());
+        QCOMPARE(document.islands().count(), 2);
+        QVERIFY2(window.failed.last().first().toString().contains(u"overlap that did not before"_s),
+                 qPrintable(window.failed.last().first().toString()));
     }
 
     void pinsFollow()

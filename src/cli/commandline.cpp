@@ -141,6 +141,10 @@ private:
     //! Several files are a batch, and one whose output goes into a folder.
     Problem takeInputs(const CliCommand &command)
     {
+        for (QString *path : {&mOptions.output, &mOptions.layout, &mOptions.report})
+            *path = nameOfFile(*path);
+        for (QString &path : mInputs)
+            path = nameOfFile(path);
         mOptions.input = mInputs.value(0);
         const bool isBatch = mOptions.many.has_value();
         if (!isBatch && (!command.takesFiles() || (mInputs.size() < 2 && !namesFolder())))
@@ -157,6 +161,12 @@ private:
             return usageError(QStringLiteral("--report takes %1 of several inputs, not \"%2\"")
                                   .arg(*expected, mOptions.report));
         return std::nullopt;
+    }
+
+    //! Qt takes what begins with a colon for a resource of the program.
+    static QString nameOfFile(const QString &path)
+    {
+        return path.startsWith(QLatin1Char(':')) ? QStringLiteral("./") + path : path;
     }
 
     bool namesFolder() const { return !makesFiles() && mOptions.output.endsWith(QLatin1Char('/')); }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 
 namespace {
@@ -32,6 +33,13 @@ bool areUtf8(int count, char *arguments[])
                        [](const char *argument) { return QUtf8StringView(argument).isValidUtf8(); });
 }
 
+//! What Qt says of damaged files is for developers: the program says itself what is wrong with them.
+void dropWarnings(QtMsgType type, const QMessageLogContext &, const QString &message)
+{
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        std::fprintf(stderr, "autocuts-cli: %s\n", qPrintable(message));
+}
+
 //! Ends the program without the destructors of global objects: work that was left to itself may still use
 //! them, and OpenBLAS waits forever for its threads where memory was too scarce to start them.
 int ended(int code, QTextStream &out, QTextStream &err)
@@ -49,6 +57,7 @@ int ended(int code, QTextStream &out, QTextStream &err)
 
 int main(int argc, char *argv[])
 {
+    qInstallMessageHandler(dropWarnings);
     autocuts::ensureUtf8Locale();
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("autocuts-cli"));

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <utility>
 
 namespace autocuts {
 
@@ -99,7 +100,11 @@ MapJobResult stitchJob(const MapInput &input, const QList<int> &edges, JobContro
     QStringList parts{JobTexts::tr("Edges stitched: %1").arg(made.edges.size())};
     for (const auto &[outcome, count] : made.refused)
         parts << JobTexts::tr("not stitched, because %1: %2").arg(whyRefused(outcome)).arg(count);
-    (made.refused.empty() ? result.message : result.problem) = parts.join(QStringLiteral(", "));
+    result.message = parts.join(QStringLiteral(", "));
+    if (!made.edges.empty())
+        tellNewOverlaps(input, control, result);
+    if (result.problem.isEmpty() && !made.refused.empty())
+        result.problem = std::exchange(result.message, {});
     return result;
 }
 

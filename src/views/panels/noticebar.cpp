@@ -46,13 +46,14 @@ NoticeBar::NoticeBar(Workspace &workspace, QWidget *parent)
     hide();
 }
 
-//! Lies over the top of what it belongs to, which keeps its place and size.
+//! Lies over the bottom of what it belongs to, which keeps its place and size: its controls are at the top.
 void NoticeBar::place()
 {
     if (!parentWidget() || isHidden())
         return;
     const int width = parentWidget()->width();
-    setGeometry(0, 0, width, hasHeightForWidth() ? heightForWidth(width) : sizeHint().height());
+    const int height = hasHeightForWidth() ? heightForWidth(width) : sizeHint().height();
+    setGeometry(0, parentWidget()->height() - height, width, height);
     raise();
 }
 
