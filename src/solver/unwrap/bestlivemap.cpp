@@ -1,5 +1,6 @@
 #include "solver/unwrap/bestlivemap.h"
 
+#include "solver/base/timelimit.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
 #include "solver/definite/rigidsettling.h"
@@ -16,7 +17,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Chosen by hand; their effect has not been measured.
-constexpr double givingShare = 0.2;                         // of the time that giving out maps may take
+constexpr double givingShare = 0.2; // of the time that giving out maps may take
+constexpr auto timeAfterStop = std::chrono::milliseconds(100);
 constexpr auto leastPause = std::chrono::milliseconds(100); // between two maps given out
 
 } // namespace
@@ -111,6 +113,15 @@ SeamedMap BestLiveMap::alike(SeamedMap map, const JobContext &job)
                   : map;
 }
 
+//! The map of a state as it is given out. A pause is no reason to give another one, but where it takes long.
+SeamedMap BestLiveMap::settledAlike(const search::CutState &state, const JobContext &job)
+{
+    if (!job.stopped())
+        return alike(settled(state, job), job);
+    const TimeLimit limit(job.unstoppable(), timeAfterStop);
+    return alike(settled(state, limit.context()), limit.context());
+}
+
 //! True when the document's map, if it may stay, is worse than this one.
 bool BestLiveMap::isBeaten(const SeamedMap &map) const
 {
@@ -129,7 +140,7 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     if (part.isAttached() && state.anchorFaults() > state.chartsMayMeet)
         return;
     Merit merit = meritOf(state);
-    SeamedMap map = merit.misses ? state.map() : alike(settled(state, job), job);
+    SeamedMap map = merit.misses ? state.map() : settledAlike(state, job);
     definite::equalizeDensity(soup, mProblem.problem(), map);
     merit.misses = map.distortion(soup, mProblem.problem().stiffness()) > mOptions.maxDistortion;
     if (mBest && merit.misses && !mBestMerit.misses)
