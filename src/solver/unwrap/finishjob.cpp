@@ -10,6 +10,7 @@
 #include "solver/overlap/overlapfinder.h"
 #include "solver/preference/seampreference.h"
 #include "solver/straight/straightening.h"
+#include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/keptplaces.h"
 #include "solver/unwrap/keptscale.h"
@@ -208,7 +209,7 @@ std::optional<definite::RefinedMap> refinedMapBefore(const std::shared_ptr<const
     };
     definite::RefinedMap made = refined(state->map(), state->anchorFaults());
     const double distortion = made.map.distortion(*soup);
-    if (distortion <= maxDistortion || job.stopped())
+    if (distortion <= maxDistortion || job.stopped() || isLargeMesh(*part.mesh))
         return made;
     // No search from the map meets the bound: one from other first cuts may.
     search::OptimizeOptions anew;
