@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 // Chosen by hand; their effect has not been measured.
 constexpr double givingShare = 0.2; // of the time that giving out maps may take
-constexpr auto timeAfterStop = std::chrono::milliseconds(100);
+constexpr auto timeAfterPause = std::chrono::milliseconds(100);
 constexpr auto leastPause = std::chrono::milliseconds(100); // between two maps given out
 
 } // namespace
@@ -118,7 +118,7 @@ SeamedMap BestLiveMap::settledAlike(const search::CutState &state, const JobCont
 {
     if (!job.stopped())
         return alike(settled(state, job), job);
-    const TimeLimit limit(job.unstoppable(), timeAfterStop);
+    const TimeLimit limit(job.unstoppable(), timeAfterPause);
     return alike(settled(state, limit.context()), limit.context());
 }
 
