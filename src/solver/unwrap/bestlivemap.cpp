@@ -113,13 +113,18 @@ SeamedMap BestLiveMap::alike(SeamedMap map, const JobContext &job)
                   : map;
 }
 
-//! The map of a state as it is given out. A pause is no reason to give another one, but where it takes long.
-SeamedMap BestLiveMap::settledAlike(const search::CutState &state, const JobContext &job)
+//! The map of a state as it is given out. Nothing when a pause leaves no time for that, and there is a map
+//! that obeys already.
+std::optional<SeamedMap> BestLiveMap::settledAlike(const search::CutState &state, const JobContext &job)
 {
-    if (!job.stopped())
-        return alike(settled(state, job), job);
-    const TimeLimit limit(job.unstoppable(), timeAfterPause);
-    return alike(settled(state, limit.context()), limit.context());
+    std::optional<TimeLimit> limit;
+    if (job.stopped())
+        limit.emplace(job.unstoppable(), timeAfterPause);
+    const JobContext own = limit ? limit->context() : job;
+    SeamedMap map = alike(settled(state, own), own);
+    if (own.stopped() && mGiven && mGiven->token == mToken)
+        return std::nullopt;
+    return map;
 }
 
 //! True when the document's map, if it may stay, is worse than this one.
@@ -140,7 +145,12 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     if (part.isAttached() && state.anchorFaults() > state.chartsMayMeet)
         return;
     Merit merit = meritOf(state);
-    SeamedMap map = merit.misses ? state.map() : settledAlike(state, job);
+    std::optional<SeamedMap> made = merit.misses ? state.map() : settledAlike(state, job);
+    if (!made) {
+        mWaiting = std::move(state);
+        return;
+    }
+    SeamedMap map = std::move(*made);
     definite::equalizeDensity(soup, mProblem.problem(), map);
     merit.misses = map.distortion(soup, mProblem.problem().stiffness()) > mOptions.maxDistortion;
     if (mBest && merit.misses && !mBestMerit.misses)

@@ -109,7 +109,7 @@ private:
 
     Merit meritOf(const search::CutState &state) const;
     SeamedMap settled(const search::CutState &state, const JobContext &job) const;
-    SeamedMap settledAlike(const search::CutState &state, const JobContext &job);
+    std::optional<SeamedMap> settledAlike(const search::CutState &state, const JobContext &job);
     SeamedMap alike(SeamedMap map, const JobContext &job);
     bool isBeaten(const SeamedMap &map) const;
     void give(search::CutState state, FitEffort effort, const JobContext &job,
