@@ -63,7 +63,6 @@ std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph
     search::OptimizeOptions search;
     search.maxDistortion = maxDistortion;
     search.effort = {0, {{searchMoves, 1}}};
-    search.effort.boundMoves = search::thoroughBoundMoves;
     search.given.push_back(made);
     search.seed = snapshot.settings.seed;
     search.job = job;
@@ -76,6 +75,10 @@ std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph
         job.report(std::min(1.0, double(done) / total));
     };
     std::optional<search::OptimizedMap> found = search::optimizeSeams(graph, search);
+    if (found && found->map.distortion(*graph->soup) > maxDistortion && !job.stopped()) {
+        search.effort.boundMoves = search::thoroughBoundMoves;
+        found = search::optimizeSeams(graph, search);
+    }
     if (!found)
         return std::nullopt;
     equalizeDensity(*graph->soup, snapshot, found->map);

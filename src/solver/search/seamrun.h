@@ -36,9 +36,9 @@ struct OptimizeEffort
     int boundMoves = 8;
 };
 
-//! OptimizeEffort::boundMoves for the only map to start from. Measured on a map of suzanne with D 4.099: with
-//! 8 moves the bounds 4.01, 4.02 and 4.03 are missed, with 16 seams are 20.2 at 4.03, with 200 they are 16.0,
-//! in less time (an unwrap finds 14.9); 4.01 is met with 200 only.
+//! OptimizeEffort::boundMoves where there is only one map to start from, and fewer miss the bound. Measured
+//! on a map of suzanne with D 4.099: with 8 moves the bounds 4.01, 4.02 and 4.03 are missed, with 16 seams
+//! are 20.2 at 4.03, with 200 they are 16.0, in less time (an unwrap finds 14.9); 4.01 is met with 200 only.
 inline constexpr int thoroughBoundMoves = 200;
 
 struct OptimizeOptions

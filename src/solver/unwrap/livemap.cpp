@@ -383,9 +383,10 @@ void LiveMap::exploreSoup(const JobContext &job)
 void LiveMap::improve(const JobContext &job)
 {
     search::OptimizeOptions options = searchOptions(job);
-    options.effort.boundMoves = search::thoroughBoundMoves;
     const double before = mBest.best()->cost;
     const bool missed = mBest.misses();
+    if (missed)
+        options.effort.boundMoves = search::thoroughBoundMoves;
     const int count = job.threads();
     const search::CutState start = *mBest.best();
     parallelFor(count, count, [&](int i) {
