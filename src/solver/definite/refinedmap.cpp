@@ -75,12 +75,15 @@ std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph
         job.report(std::min(1.0, double(done) / total));
     };
     std::optional<search::OptimizedMap> found = search::optimizeSeams(graph, search);
-    if (found && found->map.distortion(*graph->soup) > maxDistortion && !job.stopped()) {
-        search.effort.boundMoves = search::thoroughBoundMoves;
-        found = search::optimizeSeams(graph, search);
-    }
     if (!found)
         return std::nullopt;
+    const double distortion = found->map.distortion(*graph->soup);
+    if (distortion > maxDistortion && !job.stopped()) {
+        search.effort.boundMoves = search::thoroughBoundMoves;
+        std::optional<search::OptimizedMap> more = search::optimizeSeams(graph, search);
+        if (more && more->map.distortion(*graph->soup) < distortion)
+            found = std::move(more);
+    }
     equalizeDensity(*graph->soup, snapshot, found->map);
     return RefinedMap{std::move(found->map), found->anchorFaults};
 }
