@@ -191,9 +191,10 @@ void StatusBar::connectAll()
         showJob();
     });
     for (const JobRunner *jobs : {&mContext.map.jobs(), &mContext.files.jobs()}) {
-        connect(jobs, &JobRunner::busyChanged, this, [this, jobs] {
-            if (jobs->isBusy())
-                mMessage.clear(); // it is of what was before
+        connect(jobs, &JobRunner::busyChanged, this, [this, jobs, wasBusy = false]() mutable {
+            if (jobs->isBusy() && !wasBusy)
+                mMessage.clear(); // it is of what was before the job
+            wasBusy = jobs->isBusy();
             showJob();
         });
         connect(jobs, &JobRunner::progressChanged, this, &StatusBar::showJob);
