@@ -331,7 +331,7 @@ private Q_SLOTS:
         constexpr int copies = 5;
         test::props::Model model;
         for (int i = 0; i < copies; ++i)
-            model.add(test::props::moved(test::props::sphere(8, 0.4), {double(i), 0, 0}));
+            model.add(test::props::moved(test::props::bolt(), {10.0 * i, 0, 0}));
         Bench bench(model.mesh());
         bench.start();
         QVERIFY(bench.hasMap());
