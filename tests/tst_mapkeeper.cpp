@@ -5,7 +5,6 @@
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 #include "support/patience.h"
-#include "support/props.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -323,30 +322,6 @@ private Q_SLOTS:
         QVERIFY(bench.obeys());
         QVERIFY((bench.maps.back()->uv.row(corner).transpose() - from).norm() < 0.05);
         QCOMPARE(bench.problems(), QString());
-    }
-
-    //! Whenever it is paused, copies have the same cuts.
-    void aPauseLeavesCopiesAlike()
-    {
-        constexpr int copies = 5;
-        test::props::Model model;
-        for (int i = 0; i < copies; ++i)
-            model.add(test::props::moved(test::props::bolt(), {10.0 * i, 0, 0}));
-        Bench bench(model.mesh());
-        bench.start();
-        QVERIFY(bench.hasMap());
-        for (int round = 0; round < 30 && !bench.rests; ++round) {
-            bench.keeper->run();
-            QTest::qWait(40);
-            bench.keeper->pause();
-            QTest::qWait(20);
-        }
-        const std::size_t edges = bench.snapshot.mesh->edgePairs.size() / copies;
-        QVERIFY(bench.maps.size() > 2);
-        for (const MapPtr &map : bench.maps) {
-            for (int i = 1; i < copies && map->withinBound; ++i)
-                QVERIFY(std::equal(map->cut.begin(), map->cut.begin() + edges, map->cut.begin() + i * edges));
-        }
     }
 
     void aPausedKeeperGivesNothing()
