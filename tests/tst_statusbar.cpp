@@ -6,8 +6,8 @@
 #include "support/panelbench.h"
 #include "views/panels/elidedlabel.h"
 #include "views/panels/figurestrip.h"
-#include "views/panels/numbertext.h"
 #include "views/shell/statusbar.h"
+#include "views/ui/numbertext.h"
 
 #include <QProgressBar>
 #include <QSignalSpy>

@@ -71,9 +71,9 @@ std::vector<IslandFigures> islandFigures(const Document &document, const std::ve
 
 std::vector<double> islandDistortions(const Document &document)
 {
-    metrics::UvMetricsOptions options;
-    options.overlaps = options.gutter = false;
-    return metrics::measureUv(*document.weightedMesh(), document.uv(), options).chartSymDirichlet;
+    return metrics::measureShapes(*document.weightedMesh(), document.uv(),
+                                  document.packingSettings().tileHeight())
+        .chartSymDirichlet;
 }
 
 double medianTexelDensity(const std::vector<IslandFigures> &figures)

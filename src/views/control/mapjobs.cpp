@@ -14,6 +14,7 @@
 #include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/tilepacking.h"
 #include "solver/unwrap/unwrap.h"
+#include "views/ui/numbertext.h"
 
 #include <QCoreApplication>
 #include <QThread>
@@ -65,7 +66,7 @@ QString nothingFree()
 QString aboveBound(double distortion, double bound)
 {
     return JobTexts::tr("The distortion of %1 is above the bound of %2: allow more, or remove joins")
-        .arg(distortionText(distortion))
+        .arg(fixedText(distortion, 4))
         .arg(bound, 0, 'f', 4);
 }
 
@@ -198,13 +199,6 @@ void saySymmetry(const unwrap::UnwrapResult &made, const MeshData &mesh, MapJobR
         result.problem = result.message + u". "_s + text;
 }
 
-QString distortionText(double distortion)
-{
-    constexpr double written = 1e7; // digits above that say nothing
-    return std::abs(distortion) < written ? QString::number(distortion, 'f', 4)
-                                          : QString::number(distortion, 'g', 3);
-}
-
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
                        std::function<void(const unwrap::UnwrapResult &)> better, JobControl &control)
 {
@@ -233,7 +227,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         result.hardShare = made.hardShare;
     const double distortion =
         metrics::measureShapes(input.mesh(), made.uv, input.snapshot.tileHeight).tileDirichlet;
-    result.message = JobTexts::tr("Unwrapped: distortion %1").arg(distortionText(distortion));
+    result.message = JobTexts::tr("Unwrapped: distortion %1").arg(fixedText(distortion, 4));
     sayStraight(made.stopped, made.straight, result);
     if (!made.packed)
         result.problem = noRoom(input.packing);
@@ -286,7 +280,7 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
     else if (made.nothingGained)
         result.message = JobTexts::tr("Finished: no better map was found, it stays as it was");
     else
-        result.message = JobTexts::tr("Finished: distortion %1").arg(distortionText(made.distortion));
+        result.message = JobTexts::tr("Finished: distortion %1").arg(fixedText(made.distortion, 4));
     if (!result.message.isEmpty() && made.madeSmaller)
         result.problem =
             JobTexts::tr("%1. There is no room for the islands at their scale: all of a tile are smaller now")

@@ -117,9 +117,6 @@ QString asymmetryText(double mirrored);
 //! Says which faces of the new map overlap that did not before. \pre the result has a map
 void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobResult &result);
 
-//! D as it is said in messages.
-QString distortionText(double distortion);
-
 //! \param better receives ever better maps while the job runs, on another thread; may be empty
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
                        std::function<void(const unwrap::UnwrapResult &)> better, JobControl &control);

@@ -7,6 +7,7 @@
 #include "views/control/mapjobs.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
+#include "views/ui/numbertext.h"
 
 namespace autocuts {
 
@@ -450,7 +451,7 @@ void SolverController::tellProblems()
     } else if (!map.withinBound) {
         Q_EMIT foundProblems(tr("The distortion of %1 is above the bound of %2: let the solver run on, allow "
                                 "more, or remove joins")
-                                 .arg(distortionText(map.distortion))
+                                 .arg(fixedText(map.distortion, 4))
                                  .arg(mWorkspace.document()->solveSettings().maxDistortion, 0, 'f', 4),
                              {});
     } else if (const QString text = asymmetryText(map.mirroredArea.value_or(1)); !text.isEmpty()) {

@@ -1,6 +1,6 @@
 #include "views/panels/convergencegraph.h"
 
-#include "views/panels/numbertext.h"
+#include "views/ui/numbertext.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

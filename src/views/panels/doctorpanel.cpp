@@ -4,7 +4,7 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
-#include "views/panels/numbertext.h"
+#include "views/ui/numbertext.h"
 
 #include <QGridLayout>
 #include <QLabel>

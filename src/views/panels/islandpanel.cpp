@@ -6,7 +6,7 @@
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
 #include "views/panels/islandtable.h"
-#include "views/panels/numbertext.h"
+#include "views/ui/numbertext.h"
 #include "views/ui/reasons.h"
 
 #include <QDoubleSpinBox>

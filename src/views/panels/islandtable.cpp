@@ -1,8 +1,8 @@
 #include "views/panels/islandtable.h"
 
 #include "model/document/islandcolor.h"
-#include "views/panels/numbertext.h"
 #include "views/ui/icons.h"
+#include "views/ui/numbertext.h"
 
 #include <QStringList>
 

@@ -2,7 +2,7 @@
 
 #include "model/document/document.h"
 #include "views/control/islandfigures.h"
-#include "views/panels/numbertext.h"
+#include "views/ui/numbertext.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #include "views/panels/overlapmodel.h"
 
-#include "views/panels/numbertext.h"
+#include "views/ui/numbertext.h"
 
 namespace autocuts {
 

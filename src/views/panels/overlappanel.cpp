@@ -4,8 +4,8 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
-#include "views/panels/numbertext.h"
 #include "views/panels/overlapmodel.h"
+#include "views/ui/numbertext.h"
 #include "views/ui/reasons.h"
 
 #include <QGridLayout>

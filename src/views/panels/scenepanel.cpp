@@ -6,9 +6,9 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
-#include "views/panels/numbertext.h"
 #include "views/selecting/selecting.h"
 #include "views/ui/icons.h"
+#include "views/ui/numbertext.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 

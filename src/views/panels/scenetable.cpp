@@ -1,7 +1,7 @@
 #include "views/panels/scenetable.h"
 
-#include "views/panels/numbertext.h"
 #include "views/ui/icons.h"
+#include "views/ui/numbertext.h"
 
 #include <cmath>
 #include <numeric>

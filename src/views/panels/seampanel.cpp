@@ -10,10 +10,10 @@
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
 #include "views/panels/givenseamform.h"
-#include "views/panels/numbertext.h"
 #include "views/panels/seamcounts.h"
 #include "views/panels/seampricelist.h"
 #include "views/panels/sliderspin.h"
+#include "views/ui/numbertext.h"
 #include "views/ui/reasons.h"
 
 #include <QDoubleSpinBox>

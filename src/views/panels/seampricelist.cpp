@@ -1,7 +1,7 @@
 #include "views/panels/seampricelist.h"
 
 #include "views/panels/controls.h"
-#include "views/panels/numbertext.h"
+#include "views/ui/numbertext.h"
 #include "views/ui/reasons.h"
 
 #include <QHeaderView>

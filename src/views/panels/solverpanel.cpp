@@ -9,13 +9,13 @@
 #include "views/panels/deltaspinbox.h"
 #include "views/panels/foldsection.h"
 #include "views/panels/mapoutcome.h"
-#include "views/panels/numbertext.h"
 #include "views/panels/presetmenu.h"
 #include "views/panels/seampreferenceform.h"
 #include "views/panels/sliderspin.h"
 #include "views/panels/solversettingsform.h"
 #include "views/panels/unwrapform.h"
 #include "views/ui/icons.h"
+#include "views/ui/numbertext.h"
 
 #include <QCheckBox>
 #include <QFormLayout>

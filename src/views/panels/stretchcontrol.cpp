@@ -1,8 +1,8 @@
 #include "views/panels/stretchcontrol.h"
 
 #include "views/panels/controls.h"
-#include "views/panels/numbertext.h"
 #include "views/panels/sliderspin.h"
+#include "views/ui/numbertext.h"
 
 #include <QDoubleSpinBox>
 #include <QLabel>

@@ -9,9 +9,9 @@
 #include "views/panels/controls.h"
 #include "views/panels/elidedlabel.h"
 #include "views/panels/heatlegend.h"
-#include "views/panels/numbertext.h"
 #include "views/panels/sliderspin.h"
 #include "views/ui/icons.h"
+#include "views/ui/numbertext.h"
 #include "views/ui/preferences.h"
 
 #include <QComboBox>

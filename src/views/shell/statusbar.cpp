@@ -9,7 +9,7 @@
 #include "views/control/workspace.h"
 #include "views/panels/elidedlabel.h"
 #include "views/panels/figurestrip.h"
-#include "views/panels/numbertext.h"
+#include "views/ui/numbertext.h"
 
 #include <QProgressBar>
 #include <QToolButton>

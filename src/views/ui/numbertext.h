@@ -1,4 +1,4 @@
-// Formats numbers for the panels and the status bar.
+// Formats numbers for panels, the status bar and messages.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,4 @@
-#include "views/panels/numbertext.h"
+#include "views/ui/numbertext.h"
 
 #include <QLocale>
 
