@@ -95,7 +95,9 @@ def faults(program, words, before, folder):
     changed = [name for name in before if after.get(name) != before[name]]
     # Several inputs go into a folder, with a journal: what succeeds before one fails stays, and the report tells of all.
     stays = [name.removesuffix(JOURNAL) for name in after if name.endswith("/" + JOURNAL) and name not in before]
-    if stays:
+    beyond = [value for option, value in zip(words, words[1:])
+              if option in ("-o", "--output") and value.startswith("..") and (folder / value / JOURNAL).is_file()]
+    if stays or beyond:
         stays += [value for option, value in zip(words, words[1:]) if option == "--report"]
         stays += [word.removeprefix("--report=") for word in words if word.startswith("--report=")]
     was, now = ({name: data for name, data in files.items() if not name.startswith(tuple(stays))}

@@ -108,6 +108,8 @@ Result<Done> checkClashes(const CliOptions &options, const DocumentState &model)
         if (Result<Done> fine = checkOutputs(written, own + inputs + filesBeside(model, true)); !fine)
             return fine;
         kept += written;
+    } else if (options.command == Command::Bake) {
+        kept += options.output; // the folder of the pictures
     } else if (options.command == Command::Thumbnail) {
         kept += options.output;
         if (Result<Done> fine = checkOutputs({options.output}, own); !fine)
