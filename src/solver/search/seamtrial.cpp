@@ -37,7 +37,9 @@ constexpr int stayGuarded = 3;
 
 } // namespace
 
-SeamTrial::SeamTrial(CutState &state) : mState(state), mPatch(state.graph), mX(state.x) {}
+SeamTrial::SeamTrial(CutState &state)
+    : mState(state), mPatch(state.graph), mX(state.x), mSettled(state.graph->triangleCount(), -1)
+{}
 
 bool SeamTrial::mayChange(const SeamChange &change) const
 {
@@ -165,11 +167,10 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutSta
         }
     }
     if (accepted) {
-        if (mState.chartCount() > oldCharts) {
+        // There may be as many charts as before where others were joined.
+        if (mState.chartCount() > oldCharts || mTopology.hasSplit()) {
             mState.spreadCharts();
             mX = mState.x;
-        } else if (mTopology.hasSplit()) {
-            mState.chartsAreApart = false; // others were joined at the same time
         }
     } else {
         setFlags(change.open, false);
@@ -428,6 +429,13 @@ bool SeamTrial::reachPin(int pin, bool guarded)
 void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool guarded, const JobContext &job,
                            const MapSink &between)
 {
+    double energy = 0;
+    for (const int t : triangles)
+        energy += mState.triangleEnergy[t];
+    // The same energy to the last bit: nothing has moved it since.
+    double &settled = mSettled[triangles.front()];
+    if (!mState.anchored && energy == settled)
+        return;
     mPatch.select(mState, triangles, 0);
     mPatch.join(mState, mState.x);
     PatchLimits limits;
@@ -443,9 +451,12 @@ void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool gu
                 between(now);
         };
     }
-    mPatch.minimize(limits);
+    const int taken = mPatch.minimize(limits);
     if (limits.guarded) {
         --mGuardedFor;
+    } else if (taken == 0 && steps > 0 && !job.stopped()) {
+        settled = energy;
+        return;
     } else if (guarded && mPatch.crossesItself()) {
         mGuardedFor = stayGuarded;
         mPatch.join(mState, mState.x);

@@ -99,6 +99,8 @@ private:
     double mLastGain = 0;
     std::vector<double> mOldX, mOldEnergy; //!< of the patch, before keep()
     double mOldSum = 0, mOldDistortion = 0;
+    //! Per triangle, for the first one of a chart: the energy from which the chart could not be relaxed.
+    std::vector<double> mSettled;
     int mGuardedFor = 0;           //!< number of further chart relaxations that bar contacts from the start
     bool mTopologyChanged = false; //!< the state's topology was updated during the attempt
 };
