@@ -16,6 +16,19 @@ int faceOfCorner(const MeshData &mesh, int corner)
     return static_cast<int>(next - mesh.faceStart.begin()) - 1;
 }
 
+//! The flags of all faces. Faces without UVs have no place that a lock, a stack or a group could hold.
+std::vector<IslandFlags> flagsOfPlaced(const Document &document)
+{
+    std::vector<IslandFlags> flags = document.state().marks.faceFlags;
+    const MeshData &mesh = document.mesh();
+    for (std::size_t face = 0; face < flags.size(); ++face) {
+        const int first = mesh.faceStart[face], end = mesh.faceStart[face + 1];
+        if (!document.uv().middleRows(first, end - first).allFinite())
+            flags[face].locked = flags[face].stack = flags[face].group = 0;
+    }
+    return flags;
+}
+
 void addConstraints(Steering &steering, const Document &document)
 {
     const MeshData &mesh = document.mesh();
@@ -65,7 +78,7 @@ Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start)
     steering.pairWeight = state.seams.weights;
     steering.givenSeams = document.givenSeams();
     steering.straightLoops = straightLoops(document);
-    steering.faceFlags = state.marks.faceFlags;
+    steering.faceFlags = flagsOfPlaced(document);
     addConstraints(steering, document);
     snapshot.token = document.token();
     snapshot.uvScale = document.uvScale();
