@@ -145,6 +145,7 @@ private Q_SLOTS:
     void rulesOfMarks();
     void revisions();
     void snapshotUnits();
+    void flagsHoldWhatHasAPlace();
     void snapshotOfPolygons();
     void scaleOfALayout();
 };
@@ -385,6 +386,23 @@ void TestDocument::snapshotUnits()
     rigid.start = StartMode::Rigid;
     pushCommand(std::make_unique<ChangeSettings>(*document, rigid));
     QVERIFY(!makeSnapshot(*document).startUv);
+}
+
+//! Locked islands of one UV set must not lock faces that have no UVs in another.
+void TestDocument::flagsHoldWhatHasAPlace()
+{
+    const auto document = test::gridDocument();
+    pushCommand(std::make_unique<SetIslandFlags>(*document, SetIslandFlags::Edit::Lock, std::vector<int>{0}));
+    const auto locked = [&] {
+        const Snapshot snapshot = makeSnapshot(*document);
+        return std::ranges::count_if(snapshot.steering->faceFlags,
+                                     [](const IslandFlags &flags) { return flags.locked != 0; });
+    };
+    QVERIFY(locked() > 0);
+    pushCommand(std::make_unique<AddUvSet>(*document, u"Empty"_s, -1));
+    QCOMPARE(locked(), 0);
+    document->undoStack().undo();
+    QVERIFY(locked() > 0);
 }
 
 void TestDocument::snapshotOfPolygons()

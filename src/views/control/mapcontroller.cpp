@@ -278,7 +278,7 @@ void MapController::beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, c
     mAgain = [this, quality, reach, faces] { beginUnwrap(quality, reach, faces); };
 }
 
-//! Where the map was edited, by undo for example, a job's map would not be used in the end.
+//! Where the map was edited, by undo for example, a job's map or light would not be used in the end.
 void MapController::endUselessJob()
 {
     if (!mReplacesMap || !mJobs.isBusy() || mWorkspace.hasMapOf(mGiven))
@@ -476,15 +476,18 @@ void MapController::startLightBake(const jobs::LightChoice &choice,
     // The textures of materials are for the first UV set of the file.
     const int textureSet = document.activeUvSet() == 0 ? 0 : 1;
     const QString set = other ? document.uvSets()[document.activeUvSet()].name : QString();
-    startJob(tr("Baking light"), [choice, model = activeFirst(document), textureSet, set,
-                                  shown](const MapInput &input, JobControl &control) {
-        MapJobResult result = lightBakeJob(model, textureSet, input, choice, shown, control);
-        for (QString *text : {&result.message, &result.problem}) {
-            if (!set.isEmpty() && !text->isEmpty())
-                *text = tr("%1. The UV set %2 is the active one now").arg(*text, set);
-        }
-        return result;
-    });
+    startJob(
+        tr("Baking light"),
+        [choice, model = activeFirst(document), textureSet, set, shown](const MapInput &input,
+                                                                        JobControl &control) {
+            MapJobResult result = lightBakeJob(model, textureSet, input, choice, shown, control);
+            for (QString *text : {&result.message, &result.problem}) {
+                if (!set.isEmpty() && !text->isEmpty())
+                    *text = tr("%1. The UV set %2 is the active one now").arg(*text, set);
+            }
+            return result;
+        },
+        true);
 }
 
 void MapController::equalizeDensity()
