@@ -1,4 +1,5 @@
 // The window at every size: what fits, what stays in sight, what is kept.
+#include "jobs/lightchoice.h"
 #include "support/studiosession.h"
 #include "views/canvas/mapoverlays.h"
 #include "views/canvas/meshview.h"
@@ -8,10 +9,12 @@
 
 #include <QAbstractSpinBox>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPainter>
 #include <QScreen>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
@@ -311,6 +314,28 @@ private Q_SLOTS:
         const auto *notice = studio.window.findChild<NoticeBar *>();
         QTRY_VERIFY2(notice->message().contains(QStringLiteral("was ended")), qPrintable(notice->message()));
         QCOMPARE(studio.document()->undoStack().index(), entries - 1);
+    }
+
+    //! Its picture would be for a map that is not there any more.
+    void aLightBakeThatAnEditEndsIsMissed()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.context.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(studio.jobsRest());
+        const QTemporaryDir folder;
+        jobs::LightChoice choice;
+        choice.uvSet = jobs::LightChoice::newSet;
+        choice.samples = 1 << 16;
+        choice.path = folder.filePath(QStringLiteral("light.png"));
+        studio.context.map.bakeLight(choice, {});
+        QTRY_COMPARE(studio.context.map.jobs().title(), QStringLiteral("Baking light"));
+        QTRY_VERIFY(studio.context.map.jobs().isBusy());
+        studio.action("edit.undo")->trigger();
+        QTRY_VERIFY(!studio.context.map.jobs().isBusy());
+        const auto *notice = studio.window.findChild<NoticeBar *>();
+        QTRY_VERIFY2(notice->message().contains(QStringLiteral("was ended")), qPrintable(notice->message()));
+        QVERIFY(!QFileInfo::exists(choice.path));
     }
 
     //! It takes back what is under way, not what was done before.

@@ -119,7 +119,7 @@ BakeDialog::BakeDialog(const Document &document, const jobs::BakeChoice &last, c
     // Also where it is the number that was there.
     connect(mCage->findChild<QLineEdit *>(), &QLineEdit::textEdited, this, &BakeDialog::cageTyped);
     sourceChanged();
-    resizeOnScreen(*this, sizeHint());
+    resizeToContent(*this);
 }
 
 BakeDialog::~BakeDialog()

@@ -149,7 +149,7 @@ LightBakeDialog::LightBakeDialog(const Document &document, const jobs::LightChoi
     connect(mLamps, &LampForm::changed, this, &LightBakeDialog::showState);
     connect(mPath, &PathField::pathChanged, this, &LightBakeDialog::showState);
     showState();
-    resizeOnScreen(*this, sizeHint());
+    resizeToContent(*this);
 }
 
 QWidget *LightBakeDialog::makeSun(const LightPlan &lights)

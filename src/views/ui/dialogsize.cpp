@@ -33,6 +33,16 @@ void resizeOnScreen(QWidget &window, const QSize &wanted)
     window.resize(wanted.boundedTo(window.screen()->availableSize() - frame));
 }
 
+void resizeToContent(QWidget &window)
+{
+    // The style sheet makes widgets larger once they are polished, at the latest when they are shown.
+    for (QWidget *widget : window.findChildren<QWidget *>())
+        widget->ensurePolished();
+    for (QLayout *layout : window.findChildren<QLayout *>())
+        layout->invalidate();
+    resizeOnScreen(window, window.sizeHint());
+}
+
 QWidget *scrolled(QLayout *layout)
 {
     auto *area = new WholeScrollArea;
