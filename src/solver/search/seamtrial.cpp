@@ -116,7 +116,6 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutSta
     if (!mayChange(asked))
         return false;
     SeamChange change = asked;
-    const int oldCharts = mState.chartCount();
     const int oldSmallParts = mState.smallParts;
     const double oldCost = mState.cost, oldLength = mState.length;
     mTopologyChanged = false;
@@ -167,8 +166,7 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutSta
         }
     }
     if (accepted) {
-        // There may be as many charts as before where others were joined.
-        if (mState.chartCount() > oldCharts || mTopology.hasSplit()) {
+        if (mTopology.hasSplit()) {
             mState.spreadCharts();
             mX = mState.x;
         }

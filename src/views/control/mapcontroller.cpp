@@ -487,7 +487,7 @@ void MapController::startLightBake(const jobs::LightChoice &choice,
             }
             return result;
         },
-        true);
+        choice.uvSet == jobs::LightChoice::newSet); // without that set, the picture is for nothing
 }
 
 void MapController::equalizeDensity()

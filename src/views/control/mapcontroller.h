@@ -149,8 +149,8 @@ private:
     MapInput input() const;
     std::optional<JobReach> asked(JobReach reach);
     QList<int> facesOf(JobReach reach) const;
-    //! \param replacesMap it makes a map in place of the document's, or a picture for that one alone: it ends
-    //! when the map is edited
+    //! \param replacesMap it makes a map in place of the document's, or a picture for a map made for that: it
+    //! ends when the map is edited
     void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work,
                   bool replacesMap = false);
     void beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces);
