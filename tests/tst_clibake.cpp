@@ -407,9 +407,9 @@ void TestCliBake::mistakes_data()
                                      << 2 << u"65536"_s;
     QTest::newRow("bits") << QStringList{at("low.obj"), u"-o"_s, at("x"), u"--bits"_s, u"32"_s} << 1
                           << u"no numbers of 32 bits"_s;
-    QTest::newRow("folder as report")
-        << QStringList{at("low.obj"), u"-o"_s, at("both"), u"--size"_s, u"16"_s, u"--report"_s, at("both")}
-        << 1 << u"this would overwrite"_s;
+    QTest::newRow("folder as report") << QStringList{at("low.obj"), u"-o"_s,       at("unmade"), u"--size"_s,
+                                                     u"16"_s,       u"--report"_s, at("unmade")}
+                                      << 1 << u"this would overwrite"_s;
     QTest::newRow("a file as folder")
         << QStringList{at("low.obj"), u"-o"_s, at("file.txt"), u"--size"_s, u"16"_s} << 1
         << u"cannot be written"_s;
