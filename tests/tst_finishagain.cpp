@@ -5,6 +5,7 @@
 #include "solver/metrics/uvmetrics.h"
 #include "solver/preference/meshsymmetry.h"
 #include "solver/unwrap/finishjob.h"
+#include "solver/unwrap/standingmap.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 
@@ -171,6 +172,36 @@ private Q_SLOTS:
         // What seams cost decides: those on sharp edges may be a little longer.
         QVERIFY2(after.seamNorm < 1.001 * before.seamNorm,
                  qPrintable(u"%1 to %2"_s.arg(before.seamNorm).arg(after.seamNorm)));
+    }
+
+    //! Soft pins are obeyed by and by; a map that they do not pull any nearer is not taken.
+    void softPinsComeToAnEnd()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::sphere(10, 12);
+        snapshot.keepTiles = true;
+        UvMatrix uv = unwrap::unwrapMesh(snapshot, {}).uv;
+        snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
+        const auto rows = [&] { return UvMatrix(soupUv(*snapshot.mesh, uv) / snapshot.uvScale); };
+        Steering steering = *snapshot.steering;
+        for (const int corner : {0, 100}) {
+            const Vec2 place = rows().row(corner);
+            steering.pins.push_back({corner, place + Vec2(0.05, corner > 0 ? 0.1 : 0), false, 1});
+        }
+        snapshot.steering = std::make_shared<const Steering>(steering);
+        const double pull = unwrap::pinPull(snapshot, rows());
+        bool gained = true;
+        int rounds = 0;
+        for (; rounds < 6 && gained; ++rounds) {
+            snapshot.uv = std::make_shared<const UvMatrix>(uv);
+            snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
+            const unwrap::FinishResult made = unwrap::finishMap({.snapshot = snapshot});
+            gained = !made.nothingGained;
+            QCOMPARE(gained, made.uv != uv);
+            uv = made.uv;
+        }
+        QVERIFY2(rounds > 1 && !gained, qPrintable(QString::number(rounds)));
+        QVERIFY(unwrap::pinPull(snapshot, rows()) < 0.5 * pull);
     }
 
     //! A map that Finish cannot better stays, but not where something else is asked for.

@@ -6,6 +6,7 @@
 #include "support/meshbuilders.h"
 #include "support/patience.h"
 
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
@@ -194,6 +195,22 @@ private Q_SLOTS:
                                     .arg(map->seamLength)
                                     .arg(was.symDirichlet)
                                     .arg(map->distortion)));
+        QCOMPARE(bench.maps.front()->uv, before);
+    }
+
+    //! The document sends its state again while the thread is busy: the start from its map stays one.
+    void anEditBeforeTheStartDoesNotChangeIt()
+    {
+        Bench bench(test::meshNamed(QStringLiteral("sphere")));
+        UvMatrix before = unwrapMesh(bench.snapshot, {}).uv;
+        QSemaphore goesOn;
+        QMetaObject::invokeMethod(
+            bench.keeper, [&] { goesOn.acquire(); }, Qt::QueuedConnection);
+        bench.startFrom(before);
+        bench.snapshot.settings.start = SolveSettings().start;
+        bench.steer([](Steering &) {});
+        goesOn.release();
+        QVERIFY(bench.hasMap());
         QCOMPARE(bench.maps.front()->uv, before);
     }
 

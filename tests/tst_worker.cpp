@@ -1,4 +1,5 @@
 // The live solver on its thread: what it does is what Solver does, and it obeys at once.
+#include "model/plain/uvlayout.h"
 #include "solver/live/worker.h"
 #include "support/meshbuilders.h"
 #include "support/patience.h"
@@ -96,6 +97,29 @@ private Q_SLOTS:
         QCOMPARE(bench.trace.size(), std::size_t(7));
         for (int i = 0; i < 7; ++i)
             QCOMPARE(bench.trace[i].iteration, i + 1);
+    }
+
+    //! As in tst_mapkeeper.
+    void anEditBeforeTheStartDoesNotChangeIt()
+    {
+        auto edited = snapshotOf(test::grid(3));
+        auto snapshot = std::make_shared<Snapshot>(*edited);
+        UvMatrix uv(snapshot->mesh->cornerCount(), 2);
+        for (int c = 0; c < snapshot->mesh->cornerCount(); ++c)
+            uv.row(c) = 3 * snapshot->mesh->cornerPosition(c).head<2>().transpose();
+        snapshot->uv = std::make_shared<const UvMatrix>(uv);
+        snapshot->startUv = std::make_shared<const UvMatrix>(soupUv(*snapshot->mesh, uv));
+        snapshot->settings.start = StartMode::ExistingUv;
+        edited->startUv = snapshot->startUv;
+        Bench bench;
+        QSemaphore goesOn;
+        QMetaObject::invokeMethod(
+            bench.worker, [&] { goesOn.acquire(); }, Qt::QueuedConnection);
+        bench.worker->start(snapshot, Vec2::Zero());
+        bench.worker->update(edited, false, nullptr);
+        goesOn.release();
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty(), test::patience);
+        QVERIFY(bench.results.front()->soupUv == *snapshot->startUv);
     }
 
     void theThreadsDoNotChangeTheMap()

@@ -5,6 +5,7 @@
 #include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"
 #include "model/transfer/facematch.h"
+#include "model/transfer/partmatch.h"
 #include "model/transfer/positiontransfer.h"
 
 #include <QCoreApplication>
@@ -50,6 +51,8 @@ public:
           mMatch(matchVersions(mBefore, mAfter)), mStopped(stopped)
     {
         findPlacement();
+        if (!mMatch.sameTopology)
+            matchParts(mBefore, mAfter, mMatch);
         mTo.scene = std::move(scene);
         mTo.scene.uniqueMeshes = from.scene.uniqueMeshes;
         mReport.sameTopology = mMatch.sameTopology;

@@ -56,7 +56,9 @@ struct Relinked
 //! faces, the first one of the same object is taken, or the first one if there is none. Where most faces have
 //! none and the models have as many vertices, faces with the same vertices are counterparts: the model was
 //! moved or deformed, and some faces are gone. Where hardly any are found and the new model is as large as
-//! the old one in other units, or turned between y up and z up, it is compared so. \pre both have a mesh, and
+//! the old one in other units, or turned between y up and z up, it is compared so. A part that has no
+//! counterparts then is looked for by itself (transfer/partmatch.h): each may have been moved, scaled, turned
+//! or deformed by itself, beside parts that are gone or new. \pre both have a mesh, and
 //! the state is valid \param stopped asked at least every 50 ms: after a stop the result is of no use; may be
 //! empty
 Relinked relinkDocument(const DocumentState &state, Scene newScene,

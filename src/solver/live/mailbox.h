@@ -2,6 +2,8 @@
 // out.
 #pragma once
 
+#include "model/plain/snapshot.h"
+
 #include <QString>
 
 #include <atomic>
@@ -16,7 +18,8 @@ namespace autocuts::live {
 
 //! Orders that were given to a worker and not yet carried out, and what it has to say. Every function may be
 //! called from any thread.
-//! \tparam Orders has a member `bool start`: everything begins anew, so what was made before is void
+//! \tparam Orders has the members `bool start`: everything begins anew, so what was made before is void, and
+//! `std::shared_ptr<const Snapshot> snapshot`
 template <class Orders, class Result>
 class Mailbox
 {
@@ -43,6 +46,17 @@ public:
         const std::lock_guard lock(mMutex);
         change(mContent);
         mInterrupt = true;
+    }
+
+    //! Puts in the snapshot of an edit. A start that was not carried out yet still begins as it was told to.
+    static void putEdited(std::shared_ptr<const Snapshot> snapshot, Orders &orders)
+    {
+        if (orders.start && orders.snapshot->settings.start != snapshot->settings.start) {
+            auto begun = std::make_shared<Snapshot>(*snapshot);
+            begun->settings.start = orders.snapshot->settings.start;
+            snapshot = std::move(begun);
+        }
+        orders.snapshot = std::move(snapshot);
     }
 
     std::shared_ptr<const Result> takeResult() { return take(&Content::result); }

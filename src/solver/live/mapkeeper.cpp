@@ -50,7 +50,7 @@ void MapKeeper::update(std::shared_ptr<const Snapshot> snapshot, const unwrap::L
                        bool pulled, std::shared_ptr<const unwrap::LiveMapResult> back)
 {
     order([&](auto &box) {
-        box.orders.snapshot = std::move(snapshot);
+        mMailbox.putEdited(std::move(snapshot), box.orders);
         box.orders.options = options;
         box.orders.pulled = pulled;
         box.orders.token.reset();

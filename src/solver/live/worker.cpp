@@ -65,7 +65,7 @@ void SolveWorker::update(std::shared_ptr<const Snapshot> snapshot, bool pulled,
                          std::shared_ptr<const SolveResult> back)
 {
     order([&](auto &box) {
-        box.orders.snapshot = std::move(snapshot);
+        mMailbox.putEdited(std::move(snapshot), box.orders);
         box.orders.token.reset();
         box.orders.pulled = pulled;
         if (back)

@@ -1,5 +1,6 @@
 #include "solver/unwrap/bestlivemap.h"
 
+#include "model/plain/uvlayout.h"
 #include "solver/base/timelimit.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
@@ -130,8 +131,13 @@ std::optional<SeamedMap> BestLiveMap::settledAlike(const search::CutState &state
 //! True when the document's map, if it may stay, is worse than this one.
 bool BestLiveMap::isBeaten(const SeamedMap &map) const
 {
-    return !mStanding ||
-           beats(map, *mProblem.soup(), mProblem.problem(), mStanding->worth, mOptions.maxDistortion);
+    if (!mStanding ||
+        beats(map, *mProblem.soup(), mProblem.problem(), mStanding->worth, mOptions.maxDistortion))
+        return true;
+    const FreePart &part = mProblem.part();
+    const Snapshot &whole = mProblem.whole();
+    const UvMatrix uv = part.wholeUv(mProblem.problem().uvScale * cornerUv(*mProblem.soup(), map));
+    return mStanding->hasMorePull(pinPull(whole, soupUv(*whole.mesh, uv) / whole.uvScale));
 }
 
 //! Gives the map out, unless it is not better or overlaps itself after all.

@@ -148,6 +148,9 @@ public:
     {
         if (!mStanding || !mStanding->inPlace || !obeysAsMuch(mUnmet, made.unmet))
             return false;
+        const Snapshot &snapshot = mInput.snapshot;
+        if (mStanding->hasMorePull(pinPull(snapshot, soupUv(*snapshot.mesh, made.uv) / snapshot.uvScale)))
+            return false;
         const std::optional<Candidate> after = worthOf(mPart, mSoup, mProblem, made.uv);
         return made.noRoom || !after || !beats(*after, mStanding->worth, mInput.maxDistortion);
     }

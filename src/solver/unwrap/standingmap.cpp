@@ -1,5 +1,6 @@
 #include "solver/unwrap/standingmap.h"
 
+#include "model/plain/uvlayout.h"
 #include "model/plain/uvseams.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
@@ -20,6 +21,9 @@ constexpr double sameFlatness = 0.01, unseenBend = 0.1;
 //! The gain in mean distortion that counts: what an edit changes near it is little of the whole. Chosen by
 //! hand.
 constexpr double leastGain = 1e-5;
+//! The pull of soft pins that counts as less: by a share of the whole, and by a pin of weight 1 that comes
+//! nearer than this to its place, solver units. Chosen by hand.
+constexpr double lessPull = 0.01, seenDistance = 1e-3;
 
 bool hasClosedCuts(const Snapshot &part)
 {
@@ -39,8 +43,7 @@ bool hasClosedCuts(const Snapshot &part)
 bool asksForMore(const Snapshot &snapshot, const FreePart &part)
 {
     const SolveSettings &asked = snapshot.settings;
-    const std::vector<Pin> &pins = snapshot.steering->pins;
-    return asked.energy != DistortionEnergy::SymmetricDirichlet || !std::ranges::all_of(pins, &Pin::hard) ||
+    return asked.energy != DistortionEnergy::SymmetricDirichlet ||
            !straight::StraightPlan::of(part.snapshot()).isEmpty();
 }
 
@@ -94,9 +97,26 @@ std::optional<StandingMap> standingMap(const Snapshot &snapshot, const FreePart 
     if (!worth || (snapshot.settings.symmetry && !isSymmetric(*soup->mesh, worth->map.cut)))
         return std::nullopt;
     const bool inPlace = liesInPlace(snapshot, packing, job);
-    if (job.stopped())
+    // Soft pins are measured where a map lies.
+    if (job.stopped() || (!inPlace && !std::ranges::all_of(snapshot.steering->pins, &Pin::hard)))
         return std::nullopt;
-    return StandingMap{std::move(*worth), inPlace};
+    const double pull = pinPull(snapshot, soupUv(*snapshot.mesh, *snapshot.uv) / snapshot.uvScale);
+    return StandingMap{std::move(*worth), inPlace, pull};
+}
+
+double pinPull(const Snapshot &snapshot, const UvMatrix &rows)
+{
+    double pull = 0;
+    for (const Pin &pin : snapshot.steering->pins) {
+        if (!pin.hard)
+            pull += pin.weight * (Vec2(rows.row(pin.soupCorner)) - pin.target).squaredNorm();
+    }
+    return pull;
+}
+
+bool StandingMap::hasMorePull(double other) const
+{
+    return pull - other > std::max(lessPull * pull, seenDistance * seenDistance);
 }
 
 bool beats(Candidate map, Candidate standing, double maxDistortion)
