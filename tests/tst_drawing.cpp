@@ -2,6 +2,7 @@
 #include "commands/changesettings.h"
 #include "commands/editrectangles.h"
 #include "commands/setseamstate.h"
+#include "commands/setuvs.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
 #include "views/gl/letteredpattern.h"
@@ -265,6 +266,67 @@ private Q_SLOTS:
         document.undoStack().undo();
         QCOMPARE(content.refresh(), int(SceneContent::Sides));
         QCOMPARE(drawn(mStudio->mesh) + drawn(mStudio->uv), 0);
+    }
+
+    //! A view that looks at the UVs of a file, far away, shows the map of a job. One that sees it stays.
+    void mapsFarFromTheViewAreFramed()
+    {
+        UvView &uv = mStudio->uv;
+        const UvMatrix map = mStudio->document().uv();
+        const auto setUvs = [&](const UvMatrix &uvs) {
+            pushCommand(std::make_unique<SetUvs>(mStudio->document(), UvEdit::Move, uvs));
+        };
+        setUvs((map.array() + 5000).matrix());
+        uv.frameAll();
+        const Vec2 far = uv.mapCamera()->centre();
+        QVERIFY(far.x() > 100);
+        setUvs(map);
+        QCOMPARE(uv.mapCamera()->centre(), far);
+        Q_EMIT mStudio->map.done(QString());
+        QVERIFY(uv.mapCamera()->centre().norm() < 3);
+        MapCamera camera = *uv.mapCamera();
+        camera.zoom(3, QPointF(10, 10));
+        uv.setCamera(camera);
+        Q_EMIT mStudio->map.done(QString());
+        QCOMPARE(uv.mapCamera()->scale(), camera.scale());
+        QCOMPARE(uv.mapCamera()->centre(), camera.centre());
+        // A live map is framed when it comes, not whenever it changes.
+        camera.setCentre(Vec2(500, 500));
+        uv.setCamera(camera);
+        mStudio->shown.showMap(map);
+        QVERIFY(uv.mapCamera()->centre().norm() < 3);
+        uv.setCamera(camera);
+        mStudio->shown.showMap(0.5 * map);
+        QCOMPARE(uv.mapCamera()->centre(), camera.centre());
+    }
+
+    void legendsStayAboveWhatCoversAView()
+    {
+        ViewOptions options;
+        options.coloring = Coloring::SignedStretch;
+        mStudio->view.setOptions(options);
+        for (Canvas *canvas : {static_cast<Canvas *>(&mStudio->mesh), static_cast<Canvas *>(&mStudio->uv)}) {
+            constexpr int coverHeight = 60;
+            QWidget cover(canvas);
+            cover.setGeometry(0, canvas->height() - coverHeight, canvas->width(), coverHeight);
+            const auto bottom = [&] {
+                const QImage picture = canvas->picture();
+                return picture.copy(picture.width() / 2, picture.height() - coverHeight, picture.width() / 2,
+                                    coverHeight);
+            };
+            cover.hide();
+            canvas->setCover(&cover);
+            const QImage with = bottom();
+            cover.show();
+            QVERIFY(bottom() != with);
+            options.coloring = Coloring::Plain;
+            mStudio->view.setOptions(options);
+            const QImage without = bottom();
+            options.coloring = Coloring::SignedStretch;
+            mStudio->view.setOptions(options);
+            QCOMPARE(bottom(), without);
+            canvas->setCover(nullptr);
+        }
     }
 
     void picturesSurviveHostileDocuments()

@@ -94,6 +94,14 @@ Canvas::~Canvas()
     releaseGl();
 }
 
+QRect Canvas::uncovered() const
+{
+    QRect view = rect();
+    if (mCover && mCover->isVisible())
+        view.setBottom(std::min(view.bottom(), mapFromGlobal(mCover->mapToGlobal(QPoint())).y() - 1));
+    return view;
+}
+
 void Canvas::initializeGL()
 {
     releaseGl();

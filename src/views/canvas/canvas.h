@@ -41,6 +41,8 @@ public:
     virtual void restoreViewState(const QCborMap &state) = 0;
     //! A picture of the view.
     QImage picture() { return grabFramebuffer(); }
+    //! A widget that lies over the bottom of the view whenever it is visible. Legends stay above it. Not owned.
+    void setCover(const QWidget *cover) { mCover = cover; }
 
 Q_SIGNALS:
     //! The user wants the menu for what is at a pixel: by a right click that no gesture of navigation or of
@@ -55,6 +57,8 @@ protected:
     //! Shows everything except the overlay of what is drawn a little at a time; false: this view does not.
     virtual bool showGradually(GlResources &) { return false; }
     virtual void drawOverlay(QPainter &painter) = 0;
+    //! The part of the view above its cover.
+    QRect uncovered() const;
     //! Fills the buffers with what has changed.
     void upload();
     //! Grows with every change of what drawScene() draws but that of the camera.
@@ -112,6 +116,7 @@ private:
     ToolEvent toolEvent(const QMouseEvent &event, bool withPick);
 
     ToolManager &mTools;
+    const QWidget *mCover = nullptr;
     quint64 mRevision = 1;
     bool mPainting = false; //!< for the window, not for a picture
     bool mResizing = false; //!< the base class paints at once, before the window does

@@ -9,6 +9,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -133,19 +134,24 @@ void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, 
                      colors.panel);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing, false);
+    std::array<double, 2> lastText{-1e9, -1e9}; // per ruler: where the last number ends, in its direction
     const auto mark = [&](const Mark &m, bool horizontal) {
         const int place = static_cast<int>(std::lround(m.pixel));
         if (place < rulerSize)
             return;
-        const int from = m.text.isEmpty() ? rulerSize - 4 : rulerSize - 8;
+        const int tip = m.text.isEmpty() ? rulerSize - 4 : rulerSize - 8;
         painter.setPen(colors.dimText);
         if (horizontal)
-            painter.drawLine(place, from, place, rulerSize - 1);
+            painter.drawLine(place, tip, place, rulerSize - 1);
         else
-            painter.drawLine(from, place, rulerSize - 1, place);
+            painter.drawLine(tip, place, rulerSize - 1, place);
         const double length = metrics.horizontalAdvance(m.text) + 3;
         if (m.text.isEmpty() || (horizontal ? place + length > view.right() : place - length < rulerSize))
             return;
+        const double from = horizontal ? place : -place;
+        if (from < lastText[horizontal])
+            return; // numbers far from the origin are long
+        lastText[horizontal] = from + length + 3;
         painter.setPen(colors.text);
         if (horizontal) {
             painter.drawText(QPointF(place + 3, rulerSize - 6), m.text);

@@ -237,10 +237,10 @@ void MeshView::drawOverlay(QPainter &painter)
     if (!badges.isEmpty())
         drawBadge(painter, rect(), colors, badges.join(tr(", ")));
     const QRectF legend =
-        drawLegend(painter, rect(), colors, studio().view.options(),
+        drawLegend(painter, uncovered(), colors, studio().view.options(),
                    studio().preferences.values().colorBlindHeatMap, content().rightDensity());
     if (content().showsStraight())
-        drawStraightLegend(painter, rect(), colors, legend);
+        drawStraightLegend(painter, uncovered(), colors, legend);
     drawHoverCorner(painter, *this);
 }
 

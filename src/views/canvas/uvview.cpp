@@ -49,9 +49,15 @@ UvView::UvView(const StudioContext &context, ToolManager &tools, QWidget *parent
     mDrawSoon.setSingleShot(true);
     connect(&mDrawSoon, &QTimer::timeout, this, &UvView::drawOn);
     connect(&context.shownMap, &ShownMap::changed, this, [this] {
-        if (studio().view.options().followMap && studio().shownMap.isLive())
+        const bool isLive = studio().shownMap.isLive();
+        if (isLive && studio().view.options().followMap)
             frameAll();
+        else if (isLive && !mWasLive)
+            frameIfLost();
+        mWasLive = isLive;
     });
+    connect(&context.map, &MapController::done, this, &UvView::frameIfLost);
+    connect(&context.map, &MapController::failed, this, &UvView::frameIfLost);
     connect(&context.view, &ViewState::toolsChanged, this, qOverload<>(&UvView::update));
     connect(&context.map.jobs(), &JobRunner::busyChanged, this, qOverload<>(&UvView::update));
 }
@@ -106,6 +112,16 @@ void UvView::frameAll()
     mCamera.frame(box, covered());
     mFramesAll = true;
     update();
+}
+
+//! Frames a map that was just made where the view looks at the place of the one before, far away.
+void UvView::frameIfLost()
+{
+    constexpr double leastSide = 24; // logical pixels
+    const Eigen::AlignedBox2d box = content().mesh() ? layoutBox(content().uv()) : Eigen::AlignedBox2d();
+    const Eigen::AlignedBox2d seen(mCamera.toUv(rect().bottomLeft()), mCamera.toUv(rect().topRight()));
+    if (!box.isEmpty() && (!seen.intersects(box) || box.sizes().maxCoeff() * mCamera.scale() < leastSide))
+        frameAll();
 }
 
 void UvView::frameSelection()
@@ -298,10 +314,10 @@ void UvView::drawOverlay(QPainter &painter)
         drawCursor(painter, colors, mCamera.toScreen(studio().view.tools().cursor));
     if (document) {
         const QRectF legend =
-            drawLegend(painter, rect(), colors, options, studio().preferences.values().colorBlindHeatMap,
+            drawLegend(painter, uncovered(), colors, options, studio().preferences.values().colorBlindHeatMap,
                        content().rightDensity());
         if (content().showsStraight())
-            drawStraightLegend(painter, rect(), colors, legend);
+            drawStraightLegend(painter, uncovered(), colors, legend);
         drawHoverCorner(painter, *this);
     }
 }

@@ -50,12 +50,14 @@ private:
     MapScene scene(GlResources &gl) const;
     void drawOn();
     std::vector<std::pair<int, QColor>> tilesInUse() const;
+    void frameIfLost();
     //! What the rulers cover.
     QMarginsF covered() const;
 
     MapCamera mCamera;
     QTimer mDrawSoon;       //!< goes on with the picture
     bool mFramesAll = true; //!< shows everything, also when its size changes, until the camera is moved
+    bool mWasLive = false;  //!< ShownMap::isLive() at its last change
 };
 
 } // namespace autocuts

@@ -49,12 +49,15 @@ NoticeBar::NoticeBar(Workspace &workspace, QWidget *parent)
 //! Lies over the bottom of what it belongs to, which keeps its place and size: its controls are at the top.
 void NoticeBar::place()
 {
-    if (!parentWidget() || isHidden())
+    if (!parentWidget() || isHidden()) {
+        Q_EMIT placed();
         return;
+    }
     const int width = parentWidget()->width();
     const int height = hasHeightForWidth() ? heightForWidth(width) : sizeHint().height();
     setGeometry(0, parentWidget()->height() - height, width, height);
     raise();
+    Q_EMIT placed();
 }
 
 bool NoticeBar::eventFilter(QObject *watched, QEvent *event)

@@ -27,6 +27,10 @@ public:
     void showNotice(const QString &message, const Selection &items = {});
     QString message() const;
 
+Q_SIGNALS:
+    //! It lies elsewhere now, is shown or hidden.
+    void placed();
+
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 

@@ -150,9 +150,12 @@ void MainWindow::makeViews()
             centre->setFocusProxy(now);
     });
 
-    for (Canvas *view : std::initializer_list<Canvas *>{mMeshView, mUvView})
+    for (Canvas *view : std::initializer_list<Canvas *>{mMeshView, mUvView}) {
+        view->setCover(mNotice);
+        connect(mNotice, &NoticeBar::placed, view, qOverload<>(&QWidget::update));
         connect(view, &Canvas::menuRequested, this,
                 [this, view](const QPointF &pixel) { showMenu(*view, pixel); });
+    }
 
     ViewActions &view = mStudioActions->view();
     connect(&view, &ViewActions::layoutChosen, this, &MainWindow::arrangeViews);
