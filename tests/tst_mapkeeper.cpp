@@ -5,6 +5,7 @@
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 #include "support/patience.h"
+#include "support/props.h"
 
 #include <QSemaphore>
 #include <QSignalSpy>
@@ -212,6 +213,39 @@ private Q_SLOTS:
         goesOn.release();
         QVERIFY(bench.hasMap());
         QCOMPARE(bench.maps.front()->uv, before);
+    }
+
+    void copiesEndUpAlike_data()
+    {
+        QTest::addColumn<bool>("hasMap");
+        QTest::newRow("anew") << false;
+        QTest::newRow("from a map") << true;
+    }
+    void copiesEndUpAlike()
+    {
+        QFETCH(bool, hasMap);
+        test::props::Model spheres;
+        for (int i = 0; i < 4; ++i)
+            spheres.add(test::props::moved(test::props::sphere(6, 1.5), {9.0 * i, 0, 0}));
+        Bench bench(spheres.mesh());
+        const MeshData &mesh = *bench.snapshot.mesh;
+        if (hasMap) { // in which they differ
+            Snapshot different = bench.snapshot;
+            different.settings.alike = AlikeMode::Off;
+            UnwrapOptions draft;
+            draft.quality = UnwrapQuality::Draft;
+            bench.startFrom(unwrapMesh(different, draft).uv);
+        } else
+            bench.start();
+        QVERIFY(bench.comesToRest());
+        std::vector<double> seams(static_cast<std::size_t>(mesh.componentCount), 0);
+        for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+            if (bench.maps.back()->cut[e])
+                seams[mesh.component[mesh.edgePairs[e].triangle[0]]] += mesh.edgePairs[e].length;
+        }
+        for (const double length : seams)
+            QVERIFY2(std::abs(length - seams[0]) < 1e-9, qPrintable(QString::number(length - seams[0])));
+        QVERIFY(seams[0] > 0);
     }
 
     void cutsAndJoinsAreObeyed()

@@ -107,7 +107,10 @@ SeamedMap BestLiveMap::alike(SeamedMap map, const JobContext &job)
     if (mProblem.isSymmetric())
         return map;
     if (!mAlikeIsKnown) {
-        mAlike = AlikeParts::of(mProblem.part().withoutRectangles(), job);
+        Snapshot parts = mProblem.part().withoutRectangles();
+        parts.settings.start =
+            SolveSettings().start; // what the copies of a map are like is seen from that map
+        mAlike = AlikeParts::of(parts, job);
         mAlikeIsKnown = !job.stopped();
     }
     return mAlike ? mAlike->unified(map, mProblem.problem(), definite::usualMu, mOptions.maxDistortion, job)

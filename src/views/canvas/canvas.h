@@ -41,7 +41,8 @@ public:
     virtual void restoreViewState(const QCborMap &state) = 0;
     //! A picture of the view.
     QImage picture() { return grabFramebuffer(); }
-    //! A widget that lies over the bottom of the view whenever it is visible. Legends stay above it. Not owned.
+    //! A widget that lies over the bottom of the view whenever it is visible. Legends stay above it. Not
+    //! owned.
     void setCover(const QWidget *cover) { mCover = cover; }
 
 Q_SIGNALS:
