@@ -1,6 +1,7 @@
 // Layout pictures: what is drawn where, and that the bytes are always the same.
 #include "model/io/layoutpaths.h"
 #include "model/io/uvexport.h"
+#include "support/meshbuilders.h"
 #include "support/objuv.h"
 
 #include <QImage>
@@ -9,6 +10,8 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <random>
 
 using namespace autocuts;
 
@@ -177,6 +180,55 @@ private Q_SLOTS:
         }
         QVERIFY(changed > 0.08 * 512 * 512);
         QVERIFY(red > 0.01 * 512 * 512 && red < 0.05 * 512 * 512);
+    }
+
+    //! Islands that cross themselves all over, as broken files have, are painted in other pieces.
+    void tanglesAreFilled_data()
+    {
+        QTest::addColumn<int>("bleed");
+        QTest::newRow("plain") << 0;
+        QTest::newRow("bleeding") << 3;
+    }
+    void tanglesAreFilled()
+    {
+        QFETCH(int, bleed);
+        test::ObjUv obj;
+        obj.mesh = test::grid(20);
+        std::mt19937 random(5);
+        const auto unit = [&] { return random() / 4294967296.0; };
+        std::map<int, Vec2> places; // of vertices: all are joined
+        obj.uv.resize(obj.mesh->cornerCount(), 2);
+        for (int c = 0; c < obj.mesh->cornerCount(); ++c) {
+            const auto [place, isNew] = places.try_emplace(obj.mesh->cornerVertex[c]);
+            if (isNew) // in the left half
+                place->second = Vec2(0.1 + 0.4 * unit(), 0.1 + 0.8 * unit());
+            obj.uv.row(c) = place->second;
+        }
+        LayoutOptions options;
+        options.size = 256;
+        options.seams = options.edges = false;
+        options.bleed = bleed;
+        options.islandColor = QColor(10, 20, 30);
+        const QImage image = picture(obj, options);
+        const auto isIn = [&](const Vec2 &p) {
+            for (const auto &[a, b, c] : obj.mesh->triangles) {
+                const Vec2 u = obj.uv.row(a), v = obj.uv.row(b), w = obj.uv.row(c);
+                const double d = cross2(u, v, p), e = cross2(v, w, p), f = cross2(w, u, p);
+                if ((d > 0 && e > 0 && f > 0) || (d < 0 && e < 0 && f < 0))
+                    return true;
+            }
+            return false;
+        };
+        int inside = 0;
+        for (int i = 0; i < 400; ++i) {
+            const int x = static_cast<int>(256 * unit()), y = static_cast<int>(256 * unit());
+            if (isIn(Vec2((x + 0.5) / 256, 1 - (y + 0.5) / 256))) {
+                QCOMPARE(image.pixelColor(x, y), QColor(10, 20, 30));
+                ++inside;
+            }
+        }
+        QVERIFY(inside > 50);
+        QVERIFY(at(image, 0.8, 0.5) != QColor(10, 20, 30));
     }
 
     void sameInputGivesSameBytes()

@@ -220,6 +220,50 @@ void addBorders(const UvMatrix &uv, const std::vector<DirectedSide> &border,
     }
 }
 
+//! A triangle, counter-clockwise; empty where it is outside of the region.
+Loop triangleLoop(const MeshData &mesh, const UvMatrix &uv, int triangle, const Eigen::AlignedBox2d &region)
+{
+    Loop loop;
+    for (int corner : mesh.triangles[triangle])
+        loop.emplace_back(uv.row(corner));
+    if (cross2(loop[0], loop[1], loop[2]) < 0)
+        std::swap(loop[1], loop[2]);
+    return clippedLoop(std::move(loop), region);
+}
+
+//! Outlines that cross themselves all over take painters long: such islands get a loop for each triangle.
+void breakUpTangles(const MeshData &mesh, const UvMatrix &uv, const UvTopology &topology,
+                    const Eigen::AlignedBox2d &region, LayoutPaths &paths)
+{
+    constexpr std::size_t longOutline = 500; // points. Chosen by hand
+    std::vector<bool> isTangle(paths.islands.size(), false);
+    std::vector<std::size_t> points(paths.islands.size(), 0);
+    for (std::size_t chart = 0; chart < paths.islands.size(); ++chart) {
+        for (const Loop &loop : paths.islands[chart])
+            points[chart] += loop.size();
+    }
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const int face = mesh.triangleFace[t];
+        if (!topology.faceHasUv[face])
+            continue;
+        const auto &[a, b, c] = mesh.triangles[t];
+        const auto chart = static_cast<std::size_t>(topology.charts.faceChart[face]);
+        if (points[chart] > longOutline && cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c))) < 0)
+            isTangle[chart] = true;
+    }
+    for (std::size_t chart = 0; chart < paths.islands.size(); ++chart) {
+        if (isTangle[chart])
+            paths.islands[chart].clear();
+    }
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const int face = mesh.triangleFace[t];
+        if (!topology.faceHasUv[face] || !isTangle[topology.charts.faceChart[face]])
+            continue;
+        if (Loop loop = triangleLoop(mesh, uv, t, region); !loop.empty())
+            paths.islands[topology.charts.faceChart[face]].push_back(std::move(loop));
+    }
+}
+
 } // namespace
 
 LayoutPaths layoutPaths(const MeshData &mesh, const UvMatrix &uv, double tileHeight,
@@ -234,6 +278,7 @@ LayoutPaths layoutPaths(const MeshData &mesh, const UvMatrix &uv, double tileHei
         if (!loop.empty())
             paths.islands[chain.chart].push_back(std::move(loop));
     }
+    breakUpTangles(mesh, uv, topology, region, paths);
     addBorders(uv, borderSides(mesh, topology), region, paths);
     for (const UvEdge &edge : topology.uvEdges) {
         Vec2 a = uv.row(topology.cornerRoot[edge.corner[0]]);
@@ -244,13 +289,7 @@ LayoutPaths layoutPaths(const MeshData &mesh, const UvMatrix &uv, double tileHei
     for (int t : overlapping) {
         if (t < 0 || t >= mesh.triangleCount() || !topology.faceHasUv[mesh.triangleFace[t]])
             continue;
-        Loop loop;
-        for (int corner : mesh.triangles[t])
-            loop.emplace_back(uv.row(corner));
-        if (cross2(loop[0], loop[1], loop[2]) < 0)
-            std::swap(loop[1], loop[2]);
-        loop = clippedLoop(std::move(loop), region);
-        if (!loop.empty())
+        if (Loop loop = triangleLoop(mesh, uv, t, region); !loop.empty())
             paths.overlaps.push_back(std::move(loop));
     }
     return paths;

@@ -8,7 +8,9 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
 #include <limits>
+#include <span>
 
 namespace autocuts {
 
@@ -18,6 +20,12 @@ Error layoutError(const QString &message)
 {
     return {message, {}, 0, QStringLiteral("Choose a size from 16 to 16384 and a bleed from 0 to 256")};
 }
+
+using Loops = std::span<const LayoutPaths::Loop>;
+
+//! QPainter's time for a path grows fast where it crosses itself: with more loops, each is painted by itself,
+//! and lines in pieces of so many points. Chosen by hand.
+constexpr std::size_t mostLoops = 32;
 
 //! Draws the paths with a QPainter, in pixels with v pointing up.
 class LayoutPainter
@@ -45,7 +53,7 @@ public:
 private:
     QPointF pixel(const Vec2 &uv) const { return {uv.x() * mWidth, (mTop - uv.y()) * mWidth}; }
 
-    QPainterPath path(const std::vector<LayoutPaths::Loop> &loops) const
+    QPainterPath path(Loops loops) const
     {
         QPainterPath result;
         result.setFillRule(Qt::WindingFill);
@@ -56,6 +64,45 @@ private:
             result.closeSubpath();
         }
         return result;
+    }
+
+    void drawPath(QPainter &painter, Loops loops, const QBrush &brush, double strokeWidth) const
+    {
+        if (strokeWidth > 0)
+            painter.strokePath(path(loops),
+                               QPen(brush, strokeWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        else
+            painter.fillPath(path(loops), brush);
+    }
+
+    //! Paints the area of the loops, or of lines along them, once, however often they overlap.
+    //! \param replaces what was there is gone, also where the brush is transparent
+    //! \param strokeWidth pixels; 0: the area
+    void paintArea(const std::vector<LayoutPaths::Loop> &loops, const QBrush &brush, bool replaces,
+                   double strokeWidth = 0)
+    {
+        if (loops.size() <= mostLoops) {
+            mPainter.setCompositionMode(replaces ? QPainter::CompositionMode_Source
+                                                 : QPainter::CompositionMode_SourceOver);
+            drawPath(mPainter, loops, brush, strokeWidth);
+        } else {
+            QImage area(static_cast<int>(mWidth), static_cast<int>(mHeight),
+                        QImage::Format_ARGB32_Premultiplied);
+            area.fill(Qt::transparent);
+            QPainter painter(&area);
+            painter.setRenderHint(QPainter::Antialiasing, strokeWidth > 0); // areas side by side: no gaps
+            for (std::size_t i = 0; i < loops.size(); ++i)
+                drawPath(painter, Loops(loops).subspan(i, 1), Qt::black, strokeWidth);
+            mPainter.setCompositionMode(QPainter::CompositionMode_DestinationOut);
+            if (replaces)
+                mPainter.drawImage(0, 0, area);
+            painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+            painter.fillRect(area.rect(), brush);
+            painter.end();
+            mPainter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+            mPainter.drawImage(0, 0, area);
+        }
+        mPainter.setCompositionMode(QPainter::CompositionMode_SourceOver);
     }
 
     void paintFrame()
@@ -70,15 +117,11 @@ private:
     {
         for (std::size_t i = 0; bleed > 0 && i < mPaths.islands.size(); ++i) {
             const QColor color = mStyle.islandColor(static_cast<int>(i));
-            mPainter.strokePath(path(mPaths.islands[i]),
-                                QPen(color, 2.0 * bleed, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+            paintArea(mPaths.islands[i], color, false, 2.0 * bleed);
         }
         // With bleeding, islands replace what bled into them. Without it, overlapping islands are blended.
-        if (bleed > 0)
-            mPainter.setCompositionMode(QPainter::CompositionMode_Source);
         for (std::size_t i = 0; i < mPaths.islands.size(); ++i)
-            mPainter.fillPath(path(mPaths.islands[i]), mStyle.islandColor(static_cast<int>(i)));
-        mPainter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+            paintArea(mPaths.islands[i], mStyle.islandColor(static_cast<int>(i)), bleed > 0);
     }
 
     void paintEdges()
@@ -105,7 +148,7 @@ private:
     void paintOverlaps()
     {
         if (!mPaths.overlaps.empty())
-            mPainter.fillPath(path(mPaths.overlaps), QBrush(hatchTile()));
+            paintArea(mPaths.overlaps, QBrush(hatchTile()), false);
     }
 
     void paintSeams()
@@ -117,7 +160,8 @@ private:
                 polygon << pixel(point);
             if (line.closed)
                 polygon << polygon.first();
-            mPainter.drawPolyline(polygon);
+            for (qsizetype first = 0; first + 1 < polygon.size(); first += mostLoops)
+                mPainter.drawPolyline(polygon.mid(first, mostLoops + 1));
         }
     }
 
