@@ -13,6 +13,7 @@
 #include <QThread>
 
 #include <functional>
+#include <numeric>
 
 using namespace autocuts;
 using namespace autocuts::live;
@@ -197,6 +198,50 @@ private Q_SLOTS:
                                     .arg(was.symDirichlet)
                                     .arg(map->distortion)));
         QCOMPARE(bench.maps.front()->uv, before);
+        // The margin is halved twice before it is given up for islands to stay.
+        const double margin = bench.options.packing.margin / bench.options.packing.textureSize;
+        const metrics::UvMetrics last = metrics::measureUv(*bench.snapshot.mesh, bench.maps.back()->uv);
+        QVERIFY2(last.charts == 1 || last.minGutter >= 0.249 * margin,
+                 qPrintable(QStringLiteral("%1, %2 at first, margin %3")
+                                .arg(last.minGutter)
+                                .arg(was.minGutter)
+                                .arg(margin)));
+    }
+
+    void aTighterBoundIsMet()
+    {
+        Bench bench(test::sphere(16, 20));
+        bench.start();
+        QVERIFY(bench.comesToRest());
+        QVERIFY(bench.maps.back()->distortion > 4.03);
+        bench.options.maxDistortion = 4.03;
+        bench.steer([](Steering &) {});
+        QVERIFY(bench.comesToRest());
+        QVERIFY(bench.maps.back()->withinBound);
+        QVERIFY(bench.maps.back()->distortion <= 4.03);
+        QCOMPARE(bench.problems(), QString());
+    }
+
+    //! As when an artist draws a rectangle first, then presses Space.
+    void aSolveBeginsWithARectangle()
+    {
+        Bench bench(test::sphere(12, 16));
+        bench.startFrom(unwrapMesh(bench.snapshot, {}).uv);
+        bench.keeper->pause();
+        std::vector<int> all(bench.snapshot.mesh->soupCornerCount());
+        std::iota(all.begin(), all.end(), 0);
+        const Vec2 low(0.5, 0.25), high(0.75, 0.5);
+        bench.snapshot.editSteering().rectangles = {
+            {low / bench.snapshot.uvScale, high / bench.snapshot.uvScale, all, true, 1}};
+        ++bench.snapshot.token.steering;
+        bench.start();
+        QVERIFY(bench.obeys());
+        QVERIFY(bench.comesToRest());
+        QVERIFY(bench.maps.back()->unmet.rectangles.empty());
+        const UvMatrix &uv = bench.maps.back()->uv;
+        QVERIFY((uv.rowwise() - low.transpose()).minCoeff() > -1e-9);
+        QVERIFY((uv.rowwise() - high.transpose()).maxCoeff() < 1e-9);
+        QCOMPARE(bench.problems(), QString());
     }
 
     //! The document sends its state again while the thread is busy: the start from its map stays one.

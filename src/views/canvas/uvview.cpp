@@ -106,9 +106,16 @@ QMarginsF UvView::covered() const
 
 void UvView::frameAll()
 {
-    Eigen::AlignedBox2d box(Vec2(0, 0), Vec2(1, packing().tileHeight()));
-    if (content().mesh())
-        box.extend(layoutBox(content().uv()));
+    constexpr double farAway = 30; // sizes of the map: beside the tile it would be too small to see
+    const Eigen::AlignedBox2d tile(Vec2(0, 0), Vec2(1, packing().tileHeight()));
+    Eigen::AlignedBox2d box = tile;
+    if (content().mesh()) {
+        const Eigen::AlignedBox2d map = layoutBox(content().uv());
+        box.extend(map);
+        if (!map.isEmpty() && !tile.intersects(map) &&
+            box.sizes().maxCoeff() > farAway * map.sizes().maxCoeff())
+            box = map;
+    }
     mCamera.frame(box, covered());
     mFramesAll = true;
     update();
