@@ -7,7 +7,10 @@
 #include "views/canvas/mappicker.h"
 #include "views/canvas/scenecontent.h"
 
+#include <QSignalSpy>
 #include <QTest>
+
+#include <numeric>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -54,6 +57,24 @@ private Q_SLOTS:
         pushCommand(std::make_unique<HideFaces>(canvases->document(), QList<int>()));
         QCOMPARE(canvases->mesh.picture(), mesh);
         QCOMPARE(canvases->uv.picture(), map);
+    }
+
+    //! Where nothing is shown, nothing says which faces are meant.
+    void jobsOnNothingShownAreRefused()
+    {
+        const auto canvases = Canvases::onGrid(4);
+        const UvMatrix before = canvases->document().uv();
+        QList<int> all(canvases->document().mesh().faceCount());
+        std::iota(all.begin(), all.end(), 0);
+        hide(canvases->document(), all);
+        const QSignalSpy failed(&canvases->map, &MapController::failed);
+        canvases->map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(!canvases->map.jobs().isBusy());
+        canvases->map.finish();
+        QVERIFY(!canvases->map.jobs().isBusy());
+        QCOMPARE(failed.count(), 2);
+        QVERIFY(failed.first().first().toString().contains(u"hidden"_s));
+        QVERIFY(canvases->document().uv() == before);
     }
 
     void clicksReachWhatIsBehind()

@@ -2897,8 +2897,8 @@
         <translation>%1 von %2 Flächen nach der Lage zugeordnet, mittlere Entfernung %3, größte %4</translation>
     </message>
     <message>
-        <source>length of the seams %1, in the source %2</source>
-        <translation>Länge der Nähte %1, in der Quelle %2</translation>
+        <source>the seams are %1 times as long as in the source</source>
+        <translation>die Nähte sind %1-mal so lang wie in der Quelle</translation>
     </message>
     <message>
         <source>%1 of %2 faces are too far from the source, or it has no UVs there: they keep what they had</source>
@@ -6685,6 +6685,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Nothing may move: the islands are locked or pinned</source>
         <translation>Nichts darf sich bewegen: die Inseln sind gesperrt oder haben Pins</translation>
+    </message>
+    <message>
+        <source>All faces are hidden: show those whose map is to change</source>
+        <translation>Alle Flächen sind ausgeblendet: die zeigen, deren Layout sich ändern soll</translation>
     </message>
 </context>
 <context>

@@ -214,9 +214,10 @@ QString TransferredUvs::summary() const
                      .arg(figures.faces)
                      .arg(figures.meanDistance, 0, 'g', 3)
                      .arg(figures.maxDistance, 0, 'g', 3);
-    parts << TransferTexts::tr("length of the seams %1, in the source %2")
-                 .arg(figures.seamLength, 0, 'g', 4)
-                 .arg(figures.sourceSeamLength, 0, 'g', 4);
+    // As a share: the models may have other units than the figures of maps elsewhere.
+    if (figures.sourceSeamLength > 0)
+        parts << TransferTexts::tr("the seams are %1 times as long as in the source")
+                     .arg(figures.seamLength / figures.sourceSeamLength, 0, 'f', 2);
     return parts.join(u"; "_s);
 }
 

@@ -232,10 +232,13 @@ std::optional<JobReach> MapController::asked(JobReach reach)
     if (!document || mJobs.isBusy())
         return std::nullopt;
     const qsizetype hidden = document->state().hiddenFaces.size();
-    if (reach != JobReach::All || hidden == 0 || hidden == document->mesh().faceCount()) {
-        if (hidden == 0)
-            mReachOfHidden.reset();
+    if (hidden == 0)
+        mReachOfHidden.reset();
+    if (reach != JobReach::All || hidden == 0)
         return reach;
+    if (hidden == document->mesh().faceCount()) {
+        Q_EMIT failed(tr("All faces are hidden: show those whose map is to change"));
+        return std::nullopt;
     }
     if (!mAskHidden)
         return reach;
