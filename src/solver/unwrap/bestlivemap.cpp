@@ -1,6 +1,5 @@
 #include "solver/unwrap/bestlivemap.h"
 
-#include "model/plain/uvlayout.h"
 #include "solver/base/timelimit.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
@@ -138,9 +137,8 @@ bool BestLiveMap::isBeaten(const SeamedMap &map) const
         beats(map, *mProblem.soup(), mProblem.problem(), mStanding->worth, mOptions.maxDistortion))
         return true;
     const FreePart &part = mProblem.part();
-    const Snapshot &whole = mProblem.whole();
     const UvMatrix uv = part.wholeUv(mProblem.problem().uvScale * cornerUv(*mProblem.soup(), map));
-    return mStanding->hasMorePull(pinPull(whole, soupUv(*whole.mesh, uv) / whole.uvScale));
+    return Wishes::of(mProblem.whole(), uv).isBetterThan(mStanding->wishes);
 }
 
 //! Gives the map out, unless it is not better or overlaps itself after all.

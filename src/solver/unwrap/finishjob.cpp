@@ -148,8 +148,7 @@ public:
     {
         if (!mStanding || !mStanding->inPlace || !obeysAsMuch(mUnmet, made.unmet))
             return false;
-        const Snapshot &snapshot = mInput.snapshot;
-        if (mStanding->hasMorePull(pinPull(snapshot, soupUv(*snapshot.mesh, made.uv) / snapshot.uvScale)))
+        if (!made.noRoom && Wishes::of(mInput.snapshot, made.uv).isBetterThan(mStanding->wishes))
             return false;
         const std::optional<Candidate> after = worthOf(mPart, mSoup, mProblem, made.uv);
         return made.noRoom || !after || !beats(*after, mStanding->worth, mInput.maxDistortion);

@@ -1,9 +1,9 @@
 #include "solver/unwrap/standingmap.h"
 
-#include "model/plain/uvlayout.h"
 #include "model/plain/uvseams.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
+#include "solver/metrics/uvmetrics.h"
 #include "solver/preference/meshsymmetry.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/packjob.h"
@@ -24,6 +24,7 @@ constexpr double leastGain = 1e-5;
 //! The pull of soft pins that counts as less: by a share of the whole, and by a pin of weight 1 that comes
 //! nearer than this to its place, solver units. Chosen by hand.
 constexpr double lessPull = 0.01, seenDistance = 1e-3;
+constexpr double moreAligned = 0.01; // share of the borders that counts. Chosen by hand
 
 bool hasClosedCuts(const Snapshot &part)
 {
@@ -42,9 +43,9 @@ bool hasClosedCuts(const Snapshot &part)
 //! What the worth of a map does not measure.
 bool asksForMore(const Snapshot &snapshot, const FreePart &part)
 {
-    const SolveSettings &asked = snapshot.settings;
-    return asked.energy != DistortionEnergy::SymmetricDirichlet ||
-           !straight::StraightPlan::of(part.snapshot()).isEmpty();
+    const auto plan = straight::StraightPlan::of(part.snapshot());
+    return snapshot.settings.energy != DistortionEnergy::SymmetricDirichlet || plan.mirror ||
+           plan.up != WorldUp::Off;
 }
 
 //! True when every cut edge that has a mirror image is cut there as well.
@@ -97,26 +98,32 @@ std::optional<StandingMap> standingMap(const Snapshot &snapshot, const FreePart 
     if (!worth || (snapshot.settings.symmetry && !isSymmetric(*soup->mesh, worth->map.cut)))
         return std::nullopt;
     const bool inPlace = liesInPlace(snapshot, packing, job);
-    // Soft pins are measured where a map lies.
-    if (job.stopped() || (!inPlace && !std::ranges::all_of(snapshot.steering->pins, &Pin::hard)))
+    // Wishes are measured where a map lies.
+    const bool hasWishes = !std::ranges::all_of(snapshot.steering->pins, &Pin::hard) ||
+                           !straight::StraightPlan::of(part.snapshot()).isEmpty();
+    if (job.stopped() || (hasWishes && !inPlace))
         return std::nullopt;
-    const double pull = pinPull(snapshot, soupUv(*snapshot.mesh, *snapshot.uv) / snapshot.uvScale);
-    return StandingMap{std::move(*worth), inPlace, pull};
+    return StandingMap{std::move(*worth), inPlace, Wishes::of(snapshot, *snapshot.uv)};
 }
 
-double pinPull(const Snapshot &snapshot, const UvMatrix &rows)
+Wishes Wishes::of(const Snapshot &snapshot, const UvMatrix &uv)
 {
-    double pull = 0;
+    const MeshData &mesh = *snapshot.mesh;
+    Wishes wishes;
     for (const Pin &pin : snapshot.steering->pins) {
+        const Vec2 place = Vec2(uv.row(mesh.cornerOfSoup(pin.soupCorner))) / snapshot.uvScale;
         if (!pin.hard)
-            pull += pin.weight * (Vec2(rows.row(pin.soupCorner)) - pin.target).squaredNorm();
+            wishes.pull += pin.weight * (place - pin.target).squaredNorm();
     }
-    return pull;
+    if (straight::StraightPlan::of(snapshot).aligns())
+        wishes.aligned = metrics::measureShapes(mesh, uv, snapshot.tileHeight).axisAlignedShare;
+    return wishes;
 }
 
-bool StandingMap::hasMorePull(double other) const
+bool Wishes::isBetterThan(const Wishes &other) const
 {
-    return pull - other > std::max(lessPull * pull, seenDistance * seenDistance);
+    return other.pull - pull > std::max(lessPull * other.pull, seenDistance * seenDistance) ||
+           aligned > other.aligned + moreAligned;
 }
 
 bool beats(Candidate map, Candidate standing, double maxDistortion)

@@ -13,25 +13,33 @@ namespace autocuts::unwrap {
 [[nodiscard]] std::optional<Candidate> worthOf(const FreePart &part, const std::shared_ptr<const Soup> &soup,
                                                const Snapshot &problem, const UvMatrix &uv);
 
+//! How far a map fulfils what is asked for without being a must.
+struct Wishes
+{
+    //! How far soft pins are from their places: the sum of their weights times the squared distances, solver
+    //! units. 0 without soft pins.
+    double pull = 0;
+    //! Share of the borders of islands along the axes, where that is asked for, otherwise 0.
+    double aligned = 0;
+
+    //! \param uv per corner, texture space
+    static Wishes of(const Snapshot &snapshot, const UvMatrix &uv);
+    //! True when one of both is noticeably better than in another map.
+    bool isBetterThan(const Wishes &other) const;
+};
+
 struct StandingMap
 {
     Candidate worth;
     //! Its islands are where they belong. Otherwise only their shapes may stay.
     bool inPlace = false;
-    double pull = 0; //!< see pinPull()
-
-    //! True when its soft pins pull noticeably more than those of a map with the pull `other`.
-    bool hasMorePull(double other) const;
+    Wishes wishes{};
 };
 
-//! How far soft pins are from their places: the sum of their weights times the squared distances. 0 without
-//! soft pins. \param rows per soup corner, solver units
-[[nodiscard]] double pinPull(const Snapshot &snapshot, const UvMatrix &rows);
-
 //! The snapshot's map, if its islands may keep their shapes: it is valid, edges are open that are to be cut,
-//! its cuts are symmetric where that is asked for, it lies in place if there are soft pins, and nothing else
-//! is asked for that the worth does not measure: straight lines, another energy. Whether it obeys pins, joins
-//! and given seams, unmetSteering() tells. Nothing when stopped.
+//! its cuts are symmetric where that is asked for, it lies in place if there are wishes, and nothing else is
+//! asked for that is not measured: mirrored maps, an upright map, another energy. Whether it obeys pins,
+//! joins, straight loops and given seams, unmetSteering() tells. Nothing when stopped.
 [[nodiscard]] std::optional<StandingMap>
 standingMap(const Snapshot &snapshot, const FreePart &part, const std::shared_ptr<const Soup> &soup,
             const Snapshot &problem, const packing::PackOptions &packing, const JobContext &job = {});
