@@ -231,6 +231,36 @@ private Q_SLOTS:
         QVERIFY(at(image, 0.8, 0.5) != QColor(10, 20, 30));
     }
 
+    //! Also where there are many.
+    void holesStayOpen()
+    {
+        const test::MeshPtr whole = test::grid(21);
+        std::vector<Vec3> points;
+        std::vector<std::vector<int>> faces;
+        for (int v = 0; v < whole->vertexCount(); ++v)
+            points.push_back(whole->positions.row(v));
+        for (int f = 0; f < whole->faceCount(); ++f) {
+            if (f % 21 % 2 == 0 || f / 21 % 2 == 0)
+                faces.emplace_back(whole->cornerVertex.begin() + whole->faceStart[f],
+                                   whole->cornerVertex.begin() + whole->faceStart[f + 1]);
+        }
+        test::ObjUv obj;
+        obj.mesh = test::polygonMesh(points, faces);
+        obj.uv.resize(obj.mesh->cornerCount(), 2);
+        for (int c = 0; c < obj.mesh->cornerCount(); ++c)
+            obj.uv.row(c) = obj.mesh->cornerPosition(c).head<2>();
+        LayoutOptions options;
+        options.size = 420;
+        options.seams = options.edges = false;
+        options.islandColor = QColor(10, 20, 30);
+        const QImage image = picture(obj, options);
+        for (int i = 0; i < 21 * 21; ++i) {
+            const bool isHole = i % 21 % 2 == 1 && i / 21 % 2 == 1;
+            const QColor color = at(image, (i % 21 + 0.5) / 21, (i / 21 + 0.5) / 21);
+            QCOMPARE(color != QColor(10, 20, 30), isHole);
+        }
+    }
+
     void sameInputGivesSameBytes()
     {
         const test::ObjUv obj = twoSquares();

@@ -236,7 +236,8 @@ void breakUpTangles(const MeshData &mesh, const UvMatrix &uv, const UvTopology &
                     const Eigen::AlignedBox2d &region, LayoutPaths &paths)
 {
     constexpr std::size_t longOutline = 500; // points. Chosen by hand
-    std::vector<bool> isTangle(paths.islands.size(), false);
+    std::vector<bool> &isTangle = paths.isTangle;
+    isTangle.assign(paths.islands.size(), false);
     std::vector<std::size_t> points(paths.islands.size(), 0);
     for (std::size_t chart = 0; chart < paths.islands.size(); ++chart) {
         for (const Loop &loop : paths.islands[chart])

@@ -21,6 +21,8 @@ struct LayoutPaths
     //! The loops of each island. They wind counter-clockwise around every triangle, so that the non-zero fill
     //! rule covers the whole island, also where it is flipped or overlaps itself.
     std::vector<std::vector<Loop>> islands;
+    //! Per island: its outline would cross itself all over, so that its loops are its triangles.
+    std::vector<bool> isTangle;
     std::vector<Line> borders;                     //!< seams and mesh boundaries
     std::vector<std::pair<Vec2, Vec2>> innerEdges; //!< polygon edges that are not borders
     std::vector<Loop> overlaps;                    //!< the triangles given as `overlapping`

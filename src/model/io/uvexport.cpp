@@ -23,9 +23,9 @@ Error layoutError(const QString &message)
 
 using Loops = std::span<const LayoutPaths::Loop>;
 
-//! QPainter's time for a path grows fast where it crosses itself: with more loops, each is painted by itself,
-//! and lines in pieces of so many points. Chosen by hand.
-constexpr std::size_t mostLoops = 32;
+//! QPainter's time for a path grows fast where it crosses itself: of more triangles, each is painted by
+//! itself, and lines in pieces of so many points. Chosen by hand.
+constexpr std::size_t mostAtOnce = 32;
 
 //! Draws the paths with a QPainter, in pixels with v pointing up.
 class LayoutPainter
@@ -76,12 +76,13 @@ private:
     }
 
     //! Paints the area of the loops, or of lines along them, once, however often they overlap.
+    //! \param areTriangles there are no holes among them, so that each may be painted by itself
     //! \param replaces what was there is gone, also where the brush is transparent
     //! \param strokeWidth pixels; 0: the area
-    void paintArea(const std::vector<LayoutPaths::Loop> &loops, const QBrush &brush, bool replaces,
-                   double strokeWidth = 0)
+    void paintArea(const std::vector<LayoutPaths::Loop> &loops, bool areTriangles, const QBrush &brush,
+                   bool replaces, double strokeWidth = 0)
     {
-        if (loops.size() <= mostLoops) {
+        if (!areTriangles || loops.size() <= mostAtOnce) {
             mPainter.setCompositionMode(replaces ? QPainter::CompositionMode_Source
                                                  : QPainter::CompositionMode_SourceOver);
             drawPath(mPainter, loops, brush, strokeWidth);
@@ -117,11 +118,12 @@ private:
     {
         for (std::size_t i = 0; bleed > 0 && i < mPaths.islands.size(); ++i) {
             const QColor color = mStyle.islandColor(static_cast<int>(i));
-            paintArea(mPaths.islands[i], color, false, 2.0 * bleed);
+            paintArea(mPaths.islands[i], mPaths.isTangle[i], color, false, 2.0 * bleed);
         }
         // With bleeding, islands replace what bled into them. Without it, overlapping islands are blended.
         for (std::size_t i = 0; i < mPaths.islands.size(); ++i)
-            paintArea(mPaths.islands[i], mStyle.islandColor(static_cast<int>(i)), bleed > 0);
+            paintArea(mPaths.islands[i], mPaths.isTangle[i], mStyle.islandColor(static_cast<int>(i)),
+                      bleed > 0);
     }
 
     void paintEdges()
@@ -148,7 +150,7 @@ private:
     void paintOverlaps()
     {
         if (!mPaths.overlaps.empty())
-            paintArea(mPaths.overlaps, QBrush(hatchTile()), false);
+            paintArea(mPaths.overlaps, true, QBrush(hatchTile()), false);
     }
 
     void paintSeams()
@@ -160,8 +162,8 @@ private:
                 polygon << pixel(point);
             if (line.closed)
                 polygon << polygon.first();
-            for (qsizetype first = 0; first + 1 < polygon.size(); first += mostLoops)
-                mPainter.drawPolyline(polygon.mid(first, mostLoops + 1));
+            for (qsizetype first = 0; first + 1 < polygon.size(); first += mostAtOnce)
+                mPainter.drawPolyline(polygon.mid(first, mostAtOnce + 1));
         }
     }
 

@@ -107,8 +107,8 @@ SeamedMap BestLiveMap::alike(SeamedMap map, const JobContext &job)
         return map;
     if (!mAlikeIsKnown) {
         Snapshot parts = mProblem.part().withoutRectangles();
-        parts.settings.start =
-            SolveSettings().start; // what the copies of a map are like is seen from that map
+        // Copies of a map that a solve starts from are looked for as well.
+        parts.settings.start = SolveSettings().start;
         mAlike = AlikeParts::of(parts, job);
         mAlikeIsKnown = !job.stopped();
     }
