@@ -24,7 +24,7 @@ Error layoutError(const QString &message)
 using Loops = std::span<const LayoutPaths::Loop>;
 
 //! QPainter's time for a path grows fast where it crosses itself: of more triangles, each is painted by
-//! itself, and lines in pieces of so many points. Chosen by hand.
+//! itself, and lines of such islands in pieces of so many points. Chosen by hand.
 constexpr std::size_t mostAtOnce = 32;
 
 //! Draws the paths with a QPainter, in pixels with v pointing up.
@@ -156,14 +156,16 @@ private:
     void paintSeams()
     {
         mPainter.setPen(QPen(mStyle.seam, mStyle.seamWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        const bool hasTangles = std::ranges::find(mPaths.isTangle, true) != mPaths.isTangle.end();
         for (const auto &line : mPaths.borders) {
             QPolygonF polygon;
             for (const Vec2 &point : line.points)
                 polygon << pixel(point);
             if (line.closed)
                 polygon << polygon.first();
-            for (qsizetype first = 0; first + 1 < polygon.size(); first += mostAtOnce)
-                mPainter.drawPolyline(polygon.mid(first, mostAtOnce + 1));
+            const qsizetype step = hasTangles ? qsizetype(mostAtOnce) : polygon.size();
+            for (qsizetype first = 0; first + 1 < polygon.size(); first += step)
+                mPainter.drawPolyline(polygon.mid(first, step + 1));
         }
     }
 
