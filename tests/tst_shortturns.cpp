@@ -329,12 +329,40 @@ private Q_SLOTS:
         QCOMPARE(updated, int(SceneContent::AllParts));
         QVERIFY(content.canBeDrawn());
         QCOMPARE(content.sides().size(), std::size_t(large->soupCornerCount()));
+        // A map has its picture of before to show meanwhile, a model would be drawn with arrays that do not
+        // fit.
+        SceneContent model(studio.context, false);
+        QCOMPARE(model.refresh(), int(SceneContent::AllParts));
+        ViewOptions options = studio.view.options();
+        options.coloring = Coloring::Islands;
+        options.wireframe = !options.wireframe;
+        studio.view.setOptions(options);
+        QCOMPARE(content.refresh(SceneContent::Amount::OneOfLarge), int(SceneContent::Faces));
+        QCOMPARE(content.refresh(SceneContent::Amount::OneOfLarge), int(SceneContent::Sides));
+        QCOMPARE(model.refresh(SceneContent::Amount::OneOfLarge), SceneContent::Faces | SceneContent::Sides);
         content.markAll();
         QCOMPARE(content.refresh(), int(SceneContent::AllParts));
         const QImage empty = studio.mesh.picture();
         studio.lookFromFront();
         QVERIFY(!empty.isNull() && studio.mesh.picture() != empty);
         QTRY_VERIFY(studio.mesh.content().isUpToDate() && studio.uv.content().isUpToDate()); // the window
+    }
+
+    //! Nor in the turn in which the 3D view is painted; the map of before is shown meanwhile.
+    void largeMapsAreNotUpdatedInAPaint()
+    {
+        Canvases studio;
+        studio.open(test::layoutDocument(test::grid(230)));
+        QTRY_VERIFY(studio.uv.content().isUpToDate());
+        const QImage before = studio.uv.picture();
+        ViewOptions options = studio.view.options();
+        options.coloring = Coloring::Islands;
+        studio.view.setOptions(options);
+        QVERIFY(!studio.uv.content().isUpToDate());
+        studio.uv.repaint();
+        QVERIFY(!studio.uv.content().isUpToDate());
+        QTRY_VERIFY(studio.uv.content().isUpToDate());
+        QVERIFY(studio.uv.picture() != before);
     }
 
     //! What takes long of a model is done where it is read.

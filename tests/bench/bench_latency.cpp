@@ -7,6 +7,7 @@
 // left out by switching the views' updates off, because software OpenGL says nothing about the latency on a
 // real machine. Putting the window together still goes through it: where gaps are long and the processor time
 // is short, the GUI thread waited for software OpenGL or for a processor.
+#include "bench/loopwatch.h"
 #include "support/studiosession.h"
 #include "views/actions/studioactions.h"
 #include "views/canvas/meshview.h"
@@ -16,50 +17,11 @@
 #include <QElapsedTimer>
 #include <QTextStream>
 
-#include <algorithm>
-#include <ctime>
-
 using namespace autocuts;
+using namespace autocuts::bench;
 using namespace autocuts::unwrap;
 
 namespace {
-
-//! Processor time that this thread has taken, in milliseconds.
-double threadTime()
-{
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
-}
-
-//! Notes how long each turn of the event loop takes while it lives.
-class LoopWatch : public QObject
-{
-public:
-    LoopWatch()
-    {
-        mClock.start();
-        startTimer(0);
-    }
-
-    const std::vector<double> &gaps() const { return mGaps; }
-    const std::vector<double> &work() const { return mWork; }
-
-protected:
-    void timerEvent(QTimerEvent *) override
-    {
-        mGaps.push_back(double(mClock.nsecsElapsed()) * 1e-6);
-        mClock.restart();
-        const double now = threadTime();
-        mWork.push_back(now - mWorked);
-        mWorked = now;
-    }
-
-private:
-    QElapsedTimer mClock;
-    double mWorked = threadTime();
-    std::vector<double> mGaps, mWork; //!< of each turn
-};
 
 QTextStream &out()
 {
@@ -67,19 +29,9 @@ QTextStream &out()
     return stream;
 }
 
-double quantile(std::vector<double> times, double share)
-{
-    std::sort(times.begin(), times.end());
-    return times.empty() ? 0 : times[static_cast<std::size_t>(share * double(times.size() - 1))];
-}
-
 void tell(const char *phase, const LoopWatch &watch)
 {
-    const std::vector<double> &gaps = watch.gaps(), &work = watch.work();
-    out() << "{\"phase\": \"" << phase << "\", \"turns\": " << gaps.size()
-          << ", \"median_ms\": " << quantile(gaps, 0.5) << ", \"p99_ms\": " << quantile(gaps, 0.99)
-          << ", \"worst_ms\": " << quantile(gaps, 1) << ", \"work_p99_ms\": " << quantile(work, 0.99)
-          << ", \"work_worst_ms\": " << quantile(work, 1) << "}" << Qt::endl;
+    out() << watch.told(QLatin1String(phase)) << Qt::endl;
 }
 
 template <class Until>

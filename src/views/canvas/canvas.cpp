@@ -22,9 +22,8 @@ namespace autocuts {
 
 namespace {
 
-//! Milliseconds that uploading pictures may take within a paint event, and in one turn of the event loop.
-//! Chosen by hand.
-constexpr int timeOfPaint = 8, timeOfTurn = 16;
+//! Milliseconds that uploading pictures may take in one turn of the event loop. Chosen by hand.
+constexpr int timeOfTurn = 16;
 
 QSurfaceFormat canvasFormat()
 {
@@ -195,10 +194,10 @@ void Canvas::uploadPictures()
         others = others || stays || !same; // others are shown only when they are complete
         mUploaded = mPictured;
     }
-    if (shown.isBusy())
-        shown.goOn(mPainting ? timeOfPaint : std::numeric_limits<int>::max());
-    if (shown.isBusy())
-        mUploadSoon.start();
+    if (shown.isBusy() && mPainting)
+        mUploadSoon.start(); // not in the turn in which both views are painted
+    else if (shown.isBusy())
+        shown.goOn(std::numeric_limits<int>::max());
     others = shown.show() || others;
     if (others && onlySet() == 0)
         mGl->soup.setSets(studio().pictures.triangleSets());
@@ -234,10 +233,9 @@ void Canvas::uploadForLight()
         mGl->soup.setTangents(mContent.tangents());
 }
 
-void Canvas::upload()
+void Canvas::uploadArrays(SceneContent::Amount amount)
 {
-    const int parts =
-        mContent.refresh(mPainting ? SceneContent::Amount::OneOfLarge : SceneContent::Amount::All);
+    const int parts = mContent.refresh(amount);
     mTangentsStale |= (parts & (SceneContent::Vertices | SceneContent::Uvs)) != 0;
     if (parts & SceneContent::Vertices)
         mGl->soup.setVertices(mContent.vertices());
@@ -253,6 +251,11 @@ void Canvas::upload()
         mGl->soup.setSides(mContent.sides());
     if (parts & SceneContent::Points)
         mGl->points.setPoints(mContent.points());
+}
+
+void Canvas::upload()
+{
+    uploadArrays(mPainting ? SceneContent::Amount::OneOfLarge : SceneContent::Amount::All);
     uploadPictures();
     uploadForLight();
 }

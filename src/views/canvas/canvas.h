@@ -62,6 +62,8 @@ protected:
     QRect uncovered() const;
     //! Fills the buffers with what has changed.
     void upload();
+    //! The same for the arrays alone.
+    void uploadArrays(SceneContent::Amount amount);
     //! Grows with every change of what drawScene() draws but that of the camera.
     quint64 revision() const { return mRevision; }
     //! Null when there is nothing to draw with.

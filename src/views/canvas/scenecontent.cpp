@@ -238,6 +238,11 @@ bool SceneContent::isHidden(int soupCorner) const
     return !document.hidden().empty() && document.hidden()[document.mesh().triangleFace[soupCorner / 3]];
 }
 
+bool SceneContent::isLarge() const
+{
+    return mesh() && mesh()->triangleCount() > mostTrianglesAtOnce;
+}
+
 const std::vector<SoupVertex> &SceneContent::vertices() const
 {
     return mAsMap || !mMeshParts ? mVertices : mMeshParts->drawing->vertices;
@@ -246,8 +251,7 @@ const std::vector<SoupVertex> &SceneContent::vertices() const
 int SceneContent::refresh(Amount amount)
 {
     const Document *document = mContext.workspace.document();
-    const bool inTurns = amount == Amount::OneOfLarge && !mCanBeDrawn && document &&
-                         document->mesh().triangleCount() > mostTrianglesAtOnce;
+    const bool inTurns = amount == Amount::OneOfLarge && isLarge() && (mAsMap || !mCanBeDrawn);
     const int parts = inTurns ? mStale & -mStale : mStale; // the first
     mStale &= ~parts;
     mCanBeDrawn = mCanBeDrawn || mStale == 0;

@@ -18,7 +18,7 @@ struct ChangeEvent;
 
 //! The arrays of gl/soupbuffers.h for the open document. Events only mark arrays as outdated; refresh()
 //! updates them before they are drawn. All those of a large mesh take long, so a window that has to answer
-//! lets the first ones be made one after the other.
+//! lets them be made one after the other.
 class SceneContent final : public QObject
 {
     Q_OBJECT
@@ -28,11 +28,13 @@ public:
     enum Part { Uvs = 1, Vertices = 2, Faces = 4, Sides = 8, Ghost = 16, Points = 32, AllParts = 63 };
     enum class Amount {
         All,
-        OneOfLarge //!< one array as long as a large mesh cannot be drawn; changed() asks for the next
+        //! One array of a large mesh; changed() asks for the next. The 3D view, which has no picture of
+        //! before to show meanwhile, gets all once it can be drawn.
+        OneOfLarge
     };
-    //! The first arrays of larger meshes are not all made in one turn of the event loop. Chosen by hand: each
-    //! takes some 20 ms for four times as many triangles.
-    static constexpr int mostTrianglesAtOnce = 100'000;
+    //! The arrays of larger meshes are not all made in one turn of the event loop. Chosen by hand: each takes
+    //! some 20 to 50 ms for 400,000 triangles.
+    static constexpr int mostTrianglesAtOnce = 20'000;
 
     //! \param asMap true for the UV view
     SceneContent(const StudioContext &context, bool asMap, QObject *parent = nullptr);
@@ -47,6 +49,7 @@ public:
     //! The map that is drawn, one row per soup corner; not finite where there is no UV or the face is hidden.
     const UvMatrix &uv() const;
     bool isHidden(int soupCorner) const;
+    bool isLarge() const;
     //! Bounding box of what is shown of the map at the last refresh(); empty when there is nothing.
     const Eigen::AlignedBox2d &uvBox() const { return mUvBox; }
 

@@ -259,15 +259,15 @@ bool UvView::showGradually(GlResources &gl)
 {
     const QSize pixels = size() * devicePixelRatioF();
     GradualPicture &picture = gl.gradual;
-    if (!picture.isBusy() && !picture.has(scene(gl), pixels)) {
+    const bool arraysFirst =
+        content().isLarge() && !content().isUpToDate(); // not while the 3D view is painted
+    if (!arraysFirst && !picture.isBusy() && !picture.has(scene(gl), pixels)) {
         upload();
-        if (content().isUpToDate()) { // else it would be begun anew for each array
-            picture.begin(scene(gl), pixels);
-            picture.goOn(gl.forMap(), timeOfPaint);
-        }
+        picture.begin(scene(gl), pixels);
+        picture.goOn(gl.forMap(), timeOfPaint);
     }
     picture.show(gl.forMap(), defaultFramebufferObject(), mCamera);
-    if (picture.isBusy())
+    if (picture.isBusy() || arraysFirst)
         mDrawSoon.start();
     return true;
 }
@@ -275,12 +275,15 @@ bool UvView::showGradually(GlResources &gl)
 void UvView::drawOn()
 {
     GlResources *gl = resources();
-    if (!gl || !gl->gradual.isBusy())
+    if (!gl || (!gl->gradual.isBusy() && content().isUpToDate()))
         return;
     makeCurrent();
-    gl->gradual.goOn(gl->forMap(), timeOfPieces);
-    doneCurrent();
     if (gl->gradual.isBusy())
+        gl->gradual.goOn(gl->forMap(), timeOfPieces);
+    else
+        uploadArrays(SceneContent::Amount::OneOfLarge);
+    doneCurrent();
+    if (gl->gradual.isBusy() || !content().isUpToDate())
         mDrawSoon.start();
     else
         update();

@@ -120,8 +120,7 @@ void PatternTexture::begin(const Pictures &pictures, bool keep)
     mNext = std::make_unique<Upload>();
     mNext->pictures = pictures;
     mNext->keys = keysOf(pictures);
-    if (!pictures.images.empty())
-        allocate(*mNext);
+    mNext->images = static_cast<int>(pictures.images.size());
     if (!keep || pictures.images.empty())
         mTexture.reset();
 }
@@ -136,7 +135,10 @@ void PatternTexture::goOn(int milliseconds)
     QElapsedTimer clock;
     clock.start();
     while (isBusy()) {
-        mNext->uploadPart();
+        if (mNext->texture)
+            mNext->uploadPart();
+        else
+            allocate(*mNext);
         if (clock.elapsed() >= milliseconds)
             break;
     }

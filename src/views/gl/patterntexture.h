@@ -23,7 +23,7 @@ public:
     //! \param keep those before are drawn until then; otherwise none are
     void begin(const Pictures &pictures, bool keep);
     bool isBusy() const { return mNext != nullptr && !mNext->isComplete(); }
-    //! Uploads until the time is over, one part at least. What is drawn stays the same.
+    //! Makes room or uploads until the time is over, one part at least. What is drawn stays the same.
     void goOn(int milliseconds);
     //! Draws those that are complete from now on. \returns false when there are no others than before
     bool show();
@@ -41,7 +41,7 @@ private:
     {
         Pictures pictures;
         std::vector<qint64> keys;                //!< of its images
-        std::unique_ptr<QOpenGLTexture> texture; //!< null: there are no pictures
+        std::unique_ptr<QOpenGLTexture> texture; //!< null: there are no pictures, or no room for them yet
         int images = 0;                          //!< of which there is room
         int image = 0, level = 0, row = 0;       //!< next part
 

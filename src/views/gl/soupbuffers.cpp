@@ -46,11 +46,14 @@ std::vector<SoupVertex> soupVertices(const MeshData &mesh, const std::vector<boo
 
 std::vector<float> soupUvs(const UvMatrix &uv)
 {
-    std::vector<float> result(2 * uv.rows());
-    for (Eigen::Index s = 0; s < uv.rows(); ++s) {
-        const bool complete = uv.middleRows(s - s % 3, 3).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < 1e15;
-        result[2 * s] = complete ? static_cast<float>(uv(s, 0)) : noUv;
-        result[2 * s + 1] = complete ? static_cast<float>(uv(s, 1)) : noUv;
+    std::vector<float> result(2 * uv.rows(), noUv);
+    const double *value = uv.data();
+    for (std::size_t first = 0; first < result.size(); first += 6) {
+        bool complete = true;
+        for (std::size_t k = first; k < first + 6; ++k)
+            complete = complete && std::abs(value[k]) < 1e15; // false for what is not a number
+        for (std::size_t k = first; complete && k < first + 6; ++k)
+            result[k] = static_cast<float>(value[k]);
     }
     return result;
 }
@@ -149,11 +152,15 @@ std::vector<QRgb> triangleColors(const FaceInput &input)
     if (input.options.coloring == Coloring::PaintWeights)
         return paintColors(input);
     std::vector<QRgb> colors(count, input.plain.rgb());
+    std::vector<QRgb> islandColors;
     for (int t = 0; t < count; ++t) {
         switch (input.options.coloring) {
         case Coloring::Islands:
-            if (input.islands[input.mesh.triangleFace[t]] >= 0)
-                colors[t] = islandColor(input.islands[input.mesh.triangleFace[t]]);
+            if (const int island = input.islands[input.mesh.triangleFace[t]]; island >= 0) {
+                while (std::ssize(islandColors) <= island)
+                    islandColors.push_back(islandColor(static_cast<int>(islandColors.size())));
+                colors[t] = islandColors[island];
+            }
             break;
         case Coloring::SignedStretch:
             colors[t] = heatColor(HeatMap::SignedStretch, input.colorBlind,
