@@ -23,7 +23,7 @@ namespace autocuts {
 namespace {
 
 //! Milliseconds that uploading pictures may take in one turn of the event loop. Chosen by hand.
-constexpr int timeOfTurn = 16;
+constexpr int timeOfTurn = 8;
 
 QSurfaceFormat canvasFormat()
 {
