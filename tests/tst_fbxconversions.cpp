@@ -4,6 +4,8 @@
 #include "model/io/assimpsource.h"
 #include "model/io/collada/xmlspans.h"
 #include "model/io/exportlosses.h"
+#include "model/io/fbxlinks.h"
+#include "model/io/fbxparsing.h"
 #include "model/io/meshfile.h"
 #include "model/io/savefile.h"
 #include "support/gltffiles.h"
@@ -17,6 +19,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -382,6 +385,34 @@ private Q_SLOTS:
         for (const XmlElement *node : elements(bare, "node"))
             bones += node->attribute("type") == "JOINT" && !node->attribute("sid").empty();
         QCOMPARE(bones, 2);
+    }
+
+    //! From each of the formats that know bones to the others.
+    void bonesWithoutAMeshStayBones()
+    {
+        FbxText alone = withBox();
+        alone.model(3, "root", "LimbNode", 0);
+        alone.model(4, "tip", "LimbNode", 3, FbxText::property("Lcl Translation", "0,200,0"));
+        alone.model(5, "helper", "Null", 0);
+        QVERIFY(convert(alone));
+        for (const QString &from : {u"f.glb"_s, u"f.dae"_s}) {
+            const Result<Scene> scene = readMesh(at(from));
+            QVERIFY(scene.ok());
+            QVERIFY(writeMesh(scene.value(), at(u"g.fbx"_s)) && writeMesh(scene.value(), at(u"g.glb"_s)));
+            const FbxTree fbx =
+                parseFbxTree(loadFile(at(u"g.fbx"_s), 1 << 20).value(), at(u"g.fbx"_s)).value();
+            const FbxLinks links(fbx);
+            std::set<std::string> limbs;
+            for (const auto &[name, model] : links.modelsByName()) {
+                if (links.kind(model) == "LimbNode")
+                    limbs.insert(name);
+            }
+            QCOMPARE(limbs, (std::set<std::string>{"root", "tip"}));
+            const Json gltf = gltffiles::jsonOf(gltffiles::contentOf(at(u"g.glb"_s)));
+            QCOMPARE(gltf["skins"].size(), 1U);
+            QCOMPARE(gltf["skins"][0]["joints"].size(), 2U);
+            QVERIFY(gltf.dump().find("autocuts.limb") == std::string::npos);
+        }
     }
 
     //! Clusters say where mesh and bone were; where they are now is something else.

@@ -1,5 +1,6 @@
 #include "model/io/assimpcollada.h"
 
+#include "model/io/assimplimbs.h"
 #include "model/io/collada/xmlspans.h"
 #include "model/io/freenames.h"
 
@@ -11,6 +12,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace autocuts {
@@ -168,6 +170,14 @@ void nameUvSets(aiScene &scene, const XmlElement &root)
     }
 }
 
+void markJoints(aiNode &node, const std::set<std::string> &joints)
+{
+    if (joints.contains(node.mName.C_Str()))
+        markLimb(node);
+    for (unsigned c = 0; c < node.mNumChildren; ++c)
+        markJoints(*node.mChildren[c], joints);
+}
+
 } // namespace
 
 void completeColladaNodes(aiScene &scene, std::string_view text)
@@ -176,6 +186,7 @@ void completeColladaNodes(aiScene &scene, std::string_view text)
     if (!root || !scene.mRootNode)
         return;
     std::map<std::string, std::string> names;
+    std::set<std::string> joints;
     std::map<std::string, const XmlElement *, std::less<>> optics; // by the id of a camera
     eachElement(*root, [&](const XmlElement &element) {
         if (element.name == "camera") {
@@ -183,9 +194,12 @@ void completeColladaNodes(aiScene &scene, std::string_view text)
                 if (inside.name == "perspective" || inside.name == "orthographic")
                     optics[resolved(element.attribute("id"))] = &inside;
             });
-        } else if (element.name == "node" && !element.attribute("name").empty()) {
+        } else if (element.name == "node") {
             for (const char *key : {"sid", "id"}) {
-                if (const std::string id = resolved(element.attribute(key)); !id.empty())
+                const std::string id = resolved(element.attribute(key));
+                if (!id.empty() && element.attribute("type") == "JOINT")
+                    joints.insert(id);
+                if (!id.empty() && !element.attribute("name").empty())
                     names[id] = resolved(element.attribute("name"));
             }
         }
@@ -200,6 +214,7 @@ void completeColladaNodes(aiScene &scene, std::string_view text)
                 (view->second->name == "perspective" ? setView : setWidth)(*scene.mCameras[c], *view->second);
         }
     });
+    markJoints(*scene.mRootNode, joints);
     NodeNames(scene, names);
     nameUvSets(scene, *root);
 }

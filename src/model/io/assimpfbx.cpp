@@ -193,7 +193,9 @@ void FbxRig::addView(const aiNode &node, std::int64_t model)
 
 FbxRig::FbxRig(FbxNewObjects &objects, const AssimpSource &source, bool fromGltf)
     : mObjects(objects), mSource(source), mFromGltf(fromGltf), mBones(boneNames(*source.scene))
-{}
+{
+    mBones.merge(bareBones(*source.scene, source.limbs));
+}
 
 void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int, QString> &names)
 {

@@ -1,6 +1,7 @@
 #include "model/io/assimpreader.h"
 
 #include "model/document/materialcolor.h"
+#include "model/io/assimplimbs.h"
 #include "model/io/assimpmatrix.h"
 #include "model/io/assimpplacing.h"
 #include "model/io/assimpprocess.h"
@@ -342,6 +343,7 @@ Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop,
     if (!read)
         return read.error();
     auto source = std::make_shared<AssimpSource>();
+    source->limbs = takeLimbs(*read.value()->mRootNode);
     if (complete)
         complete(*read.value(), *source);
     turnViews(*read.value());

@@ -2,12 +2,14 @@
 
 #include "model/io/assimpmatch.h"
 #include "model/io/assimpreader.h"
+#include "model/io/assimpsource.h"
 #include "model/io/assimpwriter.h"
 #include "model/io/collada/colladasource.h"
 #include "model/io/fbxreader.h"
 #include "model/io/fbxrewriter.h"
 #include "model/io/fbxtwin.h"
 #include "model/io/fbxwriter.h"
+#include "model/io/gltf/gltfnodes.h"
 #include "model/io/gltf/gltfreader.h"
 #include "model/io/gltf/gltfwriter.h"
 #include "model/io/instances.h"
@@ -49,8 +51,12 @@ Error outOfMemory(const QString &path)
 Scene forAssimp(const Scene &scene)
 {
     try {
-        const QByteArray bytes = sourceAsGlb(*gltfSourceOf(scene));
-        return asAssimpReads(scene, bytes, QStringLiteral("glb")).value_or(scene);
+        GltfFile file{sourceAsGlb(*gltfSourceOf(scene)), {}};
+        const auto complete = [&](aiScene &, AssimpSource &made) {
+            made.limbs = jointNames(openGltf(file).json);
+        };
+        return asAssimpReads(scene, file.main, QStringLiteral("glb"), Eigen::Matrix4d::Identity(), complete)
+            .value_or(scene);
     } catch (const GltfError &) {
         return scene;
     }

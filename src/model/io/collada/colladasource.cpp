@@ -157,8 +157,7 @@ void keepCollada(Scene &scene)
         return;
     findUrls(*file, textOf(bytes.value()), assimp->pieces, places);
     auto source = std::make_shared<ColladaSource>();
-    source->scene = assimp->scene;
-    source->pieces = assimp->pieces;
+    static_cast<AssimpSource &>(*source) = *assimp;
     source->bytes = std::move(bytes).value();
     source->places = std::move(places);
     source->uvSets = scene.uvSets;

@@ -113,4 +113,17 @@ std::vector<GltfMeshNode> meshNodes(const Json &root)
     return result;
 }
 
+std::set<std::string> jointNames(const Json &root)
+{
+    std::set<std::string> names;
+    const Json &nodes = member(root, "nodes");
+    for (const Json &skin : member(root, "skins")) {
+        for (const Json &joint : member(skin, "joints")) {
+            if (const auto node = joint.get<std::size_t>(); node < nodes.size())
+                names.insert(nodes[node].value("name", std::string()));
+        }
+    }
+    return names;
+}
+
 } // namespace autocuts

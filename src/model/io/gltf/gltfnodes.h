@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <set>
+#include <string>
 #include <vector>
 
 namespace autocuts {
@@ -19,5 +21,8 @@ struct GltfMeshNode
 //! The nodes with meshes, depth first: those of the default scene, or of all when the file has no scenes.
 //! Nodes that are their own descendants, or have several parents, count once. \throws GltfError
 std::vector<GltfMeshNode> meshNodes(const Json &root);
+
+//! The names of the joints of all skins, whether meshes use them or not. \throws GltfError
+std::set<std::string> jointNames(const Json &root);
 
 } // namespace autocuts
