@@ -387,6 +387,32 @@ private Q_SLOTS:
         QCOMPARE(bones, 2);
     }
 
+    //! Assimp leaves places of them only.
+    void whatHasNoFacesIsSaid()
+    {
+        FbxText file = withBox();
+        QVERIFY(convert(file));
+        QVERIFY(!mLosses.contains(u"curves"_s) && !mLosses.contains(u"stereo"_s));
+        file.model(7, "Path", "NurbsCurve", 0);
+        file.model(8, "Eyes", "CameraStereo", 0);
+        QVERIFY(convert(file));
+        QVERIFY(mLosses.contains(u"curves and NURBS surfaces are lost"_s));
+        QVERIFY(mLosses.contains(u"stereo cameras are lost"_s));
+    }
+
+    //! They are shown with the sign for what cannot be read.
+    void namesThatAreNoUtf8()
+    {
+        FbxText file;
+        file.model(1, "B\xffx", "Mesh", 0);
+        file.box(2, 1);
+        QVERIFY(convert(file));
+        const QString name = QString::fromStdString(mGltf["nodes"][0]["name"].get<std::string>());
+        QCOMPARE(name, QString::fromUtf8("B\xffx"));
+        QCOMPARE(QString::fromStdString(mDae).toStdString(), mDae);
+        QVERIFY(readMesh(at(u"f.glb"_s)).ok() && readMesh(at(u"f.dae"_s)).ok());
+    }
+
     //! From each of the formats that know bones to the others.
     void bonesWithoutAMeshStayBones()
     {

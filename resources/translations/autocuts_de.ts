@@ -2031,6 +2031,14 @@
         <source>scales are passed on to all that is below: the file has another rule for some objects, whose shapes can differ</source>
         <translation>Skalierungen gehen auf alles darunter über: Für einige Objekte, deren Formen abweichen können, hat die Datei eine andere Regel</translation>
     </message>
+    <message>
+        <source>curves and NURBS surfaces are lost: only their places are written</source>
+        <translation>Kurven und NURBS-Flächen gehen verloren: nur ihre Lage wird geschrieben</translation>
+    </message>
+    <message>
+        <source>stereo cameras are lost: only their places are written</source>
+        <translation>Stereokameras gehen verloren: nur ihre Lage wird geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>FileErrors</name>

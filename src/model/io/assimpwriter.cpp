@@ -9,6 +9,7 @@
 #include "model/io/savefile.h"
 
 #include <QFileInfo>
+#include <QtEndian>
 
 #include <assimp/Exporter.hpp>
 #include <assimp/config.h>
@@ -37,12 +38,28 @@ QByteArrayView bytesOf(const aiExportDataBlob &blob)
 
 constexpr const char *companionBase = "autocuts-buffer";
 
+//! The bytes of a .glb file with a text in UTF-8: names may be none, and make a file that programs refuse.
+QByteArray withUtf8(const QByteArray &glb)
+{
+    constexpr qsizetype head = 12, text = 20; // where the length of the text and the text begin
+    if (glb.size() < text)
+        return glb;
+    const auto length = qFromLittleEndian<quint32>(glb.constData() + head);
+    QByteArray utf8 = QString::fromUtf8(glb.mid(text, length)).toUtf8();
+    utf8.append(-utf8.size() & 3, ' ');
+    QByteArray result =
+        glb.first(head) + QByteArray(4, 0) + glb.mid(head + 4, 4) + utf8 + glb.mid(text + length);
+    qToLittleEndian(static_cast<quint32>(utf8.size()), result.data() + head);
+    qToLittleEndian(static_cast<quint32>(result.size()), result.data() + 8);
+    return result;
+}
+
 //! What Assimp wrote as .glb, with what it leaves out, as the bytes of a file. The buffer of a .gltf file is
 //! inside of it: two files cannot be replaced atomically.
 QByteArray gltfBytes(const Scene &scene, const ExportScene &exported, const aiExportDataBlob &blob,
                      const QString &path)
 {
-    GltfFile file{bytesOf(blob).toByteArray(), {}};
+    GltfFile file{withUtf8(bytesOf(blob).toByteArray()), {}};
     GltfDocument document = openGltf(file);
     const bool binary = QFileInfo(path).suffix().toLower() == QLatin1String("glb");
     completeGltf(document, scene, exported, path);

@@ -75,6 +75,16 @@ void addPlyLosses(QStringList &losses, const Scene &scene)
             << LossTexts::tr("PLY holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
 }
 
+QStringList shapeLosses(const SourceContents &contents)
+{
+    QStringList losses;
+    if (contents.shapesWithoutFaces)
+        losses << LossTexts::tr("curves and NURBS surfaces are lost: only their places are written");
+    if (contents.stereoCameras)
+        losses << LossTexts::tr("stereo cameras are lost: only their places are written");
+    return losses;
+}
+
 //! What the format loses of the data besides the geometry.
 QStringList contentLosses(const SourceContents &contents, const QString &format)
 {
@@ -106,6 +116,7 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
         losses << LossTexts::tr(
             "scales are passed on to all that is below: the file has another rule for some "
             "objects, whose shapes can differ");
+    losses << shapeLosses(contents);
     if (contents.bones && !contents.animations && format == QLatin1String("dae"))
         losses << LossTexts::tr("some programs show a Collada model without animations in its rest pose");
     return losses;

@@ -75,6 +75,9 @@ void ObjectReader::readContents(std::string_view name, std::string_view kind, in
     contents.lightsOrCameras = contents.lightsOrCameras || kind == "Light" || kind == "Camera";
     mObjects.surfaces = mObjects.surfaces || kind == "NurbsSurface" || kind == "Nurb";
     mObjects.curves = mObjects.curves || kind == "NurbsCurve" || kind == "Line";
+    contents.shapesWithoutFaces = contents.shapesWithoutFaces || mObjects.surfaces || mObjects.curves ||
+                                  kind == "TrimNurbsSurface" || kind == "Boundary";
+    contents.stereoCameras = contents.stereoCameras || kind == "CameraStereo";
     mObjects.skeleton = mObjects.skeleton || kind == "LimbNode" || kind == "Limb";
     contents.embeddedTextures =
         contents.embeddedTextures || (name == "Video" && mTree.child(node, "Content") >= 0);

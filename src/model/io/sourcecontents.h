@@ -9,11 +9,13 @@ struct SourceContents
     bool bones = false, shapeKeys = false, animations = false, lightsOrCameras = false,
          embeddedTextures = false, hierarchy = false;
     bool severalAnimations = false;
-    bool otherAnimations = false; //!< of more than the places of nodes: shape keys, materials, cameras
-    bool dualQuaternions = false; //!< bones bend meshes by them, not by matrices
-    bool otherScaling = false;    //!< children inherit scales by another rule than that of matrices
-    bool instances = false;       //!< several objects share a mesh
-    bool splitObjects = false;    //!< objects are one mesh for each of their materials
+    bool otherAnimations = false;    //!< of more than the places of nodes: shape keys, materials, cameras
+    bool dualQuaternions = false;    //!< bones bend meshes by them, not by matrices
+    bool otherScaling = false;       //!< children inherit scales by another rule than that of matrices
+    bool shapesWithoutFaces = false; //!< curves, NURBS surfaces
+    bool stereoCameras = false;
+    bool instances = false;    //!< several objects share a mesh
+    bool splitObjects = false; //!< objects are one mesh for each of their materials
 };
 
 } // namespace autocuts
