@@ -216,6 +216,30 @@ void addBareBones(GltfDocument &document, const aiScene &scene, const std::set<s
     }
 }
 
+//! Gives a node and those below it the transforms that Assimp leaves out: all whose numbers differ from those
+//! of the identity by no more than .01, so that small distances and scales would be lost.
+void completeTransforms(Json &nodes, std::size_t number, const aiNode &from, bool moves)
+{
+    const aiMatrix4x4 &matrix = from.mTransformation;
+    Json &node = nodes[number];
+    const bool isGiven = node.contains("matrix") || node.contains("translation") ||
+                         node.contains("rotation") || node.contains("scale");
+    if (!isGiven && moves && !toEigen(matrix).isIdentity(0)) { // programs move no matrices
+        aiVector3D scale, place;
+        aiQuaternion turn;
+        matrix.Decompose(scale, turn, place);
+        node["translation"] = {place.x, place.y, place.z};
+        node["rotation"] = {turn.x, turn.y, turn.z, turn.w};
+        node["scale"] = {scale.x, scale.y, scale.z};
+    } else if (!isGiven && !toEigen(matrix).isIdentity(0)) {
+        const Eigen::Matrix4f columns = toEigen(matrix).cast<float>();
+        node["matrix"] = std::vector<float>(columns.data(), columns.data() + columns.size());
+    }
+    const Json children = member(node, "children");
+    for (std::size_t c = 0; c < children.size() && c < from.mNumChildren; ++c)
+        completeTransforms(nodes, children[c].get<std::size_t>(), *from.mChildren[c], moves);
+}
+
 void lowerNumbers(Json &value, std::size_t removed)
 {
     if (value.is_number_unsigned() && value.get<std::size_t>() > removed)
@@ -293,6 +317,9 @@ void completeGltf(GltfDocument &document, const Scene &scene, const ExportScene 
 {
     removeUnusedBytes(document);
     addMaterials(document, scene, *exported.get(), path);
+    const aiScene &from = *exported.get();
+    completeTransforms(document.json["nodes"], document.json["scenes"][0]["nodes"][0].get<std::size_t>(),
+                       *from.mRootNode, from.mNumAnimations > 0);
     addCameras(document.json, *exported.get());
     addLights(document.json, *exported.get(), isGltfFormat(scene.format));
     addBareBones(document, *exported.get(), exported.bareBones());
