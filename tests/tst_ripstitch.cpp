@@ -163,6 +163,21 @@ private Q_SLOTS:
         window.requireEntry(u"Stitch 8 edges"_s, ripped);
     }
 
+    //! What is a seam already is not counted as ripped, but forced.
+    void seamsAreForced()
+    {
+        GridWindow window;
+        window.select(window.column(5));
+        QVERIFY(window.rip());
+        window.select(window.column(3, 0, 2) + window.column(5));
+        const DocumentState before = window.document().state();
+        QVERIFY(window.rip());
+        QCOMPARE(window.done.last().first().toString(),
+                 u"Edges ripped: 2, seams already, forced now: 8"_s);
+        window.requireEntry(u"Rip 2 edges"_s, before);
+        window.requireCleanMap();
+    }
+
     void facesAreRippedOut()
     {
         GridWindow window;

@@ -1,7 +1,9 @@
 #include "commands/editmapseams.h"
 
 #include "commands/commandreading.h"
+#include "model/plain/uvseams.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace autocuts {
@@ -19,6 +21,18 @@ IndexRanges cutPairs(const Document &document, std::span<const int> edges)
             result.append(pair);
     });
     return result;
+}
+
+//! How many edges the entry of the history names: to rip a seam only forces it.
+int editedCount(const Document &document, EditMapSeams::Edit edit, std::span<const int> edges)
+{
+    const auto count = static_cast<int>(edges.size());
+    if (edit == EditMapSeams::Edit::Stitch)
+        return count;
+    const std::vector<bool> open = openCornerPairs(document.mesh(), document.uv());
+    const auto wereOpen = static_cast<int>(std::count_if(
+        edges.begin(), edges.end(), [&](int edge) { return open[2 * edge] || open[2 * edge + 1]; }));
+    return wereOpen < count ? count - wereOpen : count;
 }
 
 //! The pins of the corners whose UVs change, at their new places.
@@ -46,7 +60,7 @@ std::unique_ptr<EditMapSeams> EditMapSeams::make(Document &document, Edit edit, 
             ? std::make_unique<SetSeamState>(document, SetSeamState::Edit::Cut,
                                              cornerPairsOfEdges(document.mesh(), edges))
             : std::make_unique<SetSeamState>(document, SetSeamState::Edit::Clear, cutPairs(document, edges));
-    return std::make_unique<EditMapSeams>(document, edit, static_cast<int>(edges.size()),
+    return std::make_unique<EditMapSeams>(document, edit, editedCount(document, edit, edges),
                                           std::make_unique<SetUvs>(document, UvEdit::Move, uv, extras),
                                           std::move(states));
 }

@@ -144,6 +144,9 @@ RippedMap ripEdges(const Snapshot &snapshot, const std::vector<int> &edges, doub
         else
             result.edges.push_back(edge);
     }
+    const std::vector<bool> openBefore = openCornerPairs(mesh, result.uv);
+    for (const int edge : result.edges)
+        result.wereOpen += openBefore[2 * edge] || openBefore[2 * edge + 1];
     const std::vector<bool> ripped = sidesOf(mesh, result.edges);
     moveParts(snapshot, before, ripped, gutter, result.uv, job);
     openSides(mesh, ripped, {}, result.uv);

@@ -13,6 +13,7 @@ struct RippedMap
 {
     UvMatrix uv;            //!< one row per corner, texture space
     std::vector<int> edges; //!< the edge pairs that are cut, ascending
+    int wereOpen = 0;       //!< how many of them were seams before
     int closed = 0;         //!< how many of them are no seams yet: they end nowhere, so that they cannot open
     int locked = 0;         //!< edges left out because an island at them is locked
     int newIslands = 0;     //!< how many islands the map has more than before

@@ -32,7 +32,10 @@ MapJobResult failure(const QString &problem)
 
 QString ripMessage(const definite::RippedMap &made)
 {
-    QStringList parts{JobTexts::tr("Edges ripped: %1").arg(made.edges.size())};
+    QStringList parts{
+        JobTexts::tr("Edges ripped: %1").arg(static_cast<int>(made.edges.size()) - made.wereOpen)};
+    if (made.wereOpen > 0)
+        parts << JobTexts::tr("seams already, forced now: %1").arg(made.wereOpen);
     if (made.newIslands > 0)
         parts << JobTexts::tr("new islands: %1").arg(made.newIslands);
     if (made.closed > 0)
