@@ -291,6 +291,14 @@ private Q_SLOTS:
         Q_EMIT mStudio->map.done(QString());
         QCOMPARE(uv.mapCamera()->scale(), camera.scale());
         QCOMPARE(uv.mapCamera()->centre(), camera.centre());
+        // A job that made no map leaves the view where it is.
+        camera.setCentre(Vec2(500, 500));
+        uv.setCamera(camera);
+        mStudio->map.rip({});
+        QVERIFY(mStudio->map.jobs().isBusy());
+        QTRY_VERIFY(!mStudio->map.jobs().isBusy());
+        QCoreApplication::processEvents();
+        QCOMPARE(uv.mapCamera()->centre(), camera.centre());
         // A live map is framed when it comes, not whenever it changes.
         camera.setCentre(Vec2(500, 500));
         uv.setCamera(camera);

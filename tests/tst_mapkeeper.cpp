@@ -293,6 +293,49 @@ private Q_SLOTS:
         QVERIFY(seams[0] > 0);
     }
 
+    //! Flat faces are nets in the live solve, too.
+    void flatModelsUnfold_data()
+    {
+        QTest::addColumn<bool>("hasMap");
+        QTest::newRow("anew") << false;
+        QTest::newRow("from a stretched map") << true;
+    }
+    void flatModelsUnfold()
+    {
+        QFETCH(bool, hasMap);
+        Bench bench(test::props::column(6, 1, 1, 3).mesh());
+        if (hasMap) {
+            UvMatrix stretched = unwrapMesh(bench.snapshot, {}).uv;
+            stretched.col(0) *= 1.2;
+            bench.startFrom(stretched);
+        } else
+            bench.start();
+        QVERIFY(bench.comesToRest());
+        const LiveMapResult &last = *bench.maps.back();
+        QVERIFY2(last.distortion < 4 + 1e-6, qPrintable(QString::number(last.distortion, 'g', 10)));
+        QVERIFY(last.islands < bench.snapshot.mesh->faceCount() / 2);
+        QCOMPARE(bench.problem(last), QString());
+    }
+
+    //! What was found before a pause is where it goes on.
+    void itGoesOnAfterAPause()
+    {
+        Bench bench(test::sphere(20, 24));
+        bench.start();
+        QVERIFY(bench.waitFor([&] { return !bench.maps.empty() && bench.maps.back()->withinBound; }));
+        bench.keeper->pause();
+        const std::size_t before = bench.maps.size();
+        const double length = bench.maps.back()->seamLength;
+        bench.rests = false;
+        bench.keeper->run();
+        QVERIFY(bench.comesToRest());
+        for (std::size_t m = before; m < bench.maps.size(); ++m) {
+            QVERIFY(bench.maps[m]->withinBound);
+            QVERIFY(bench.maps[m]->seamLength <= length + 1e-9);
+        }
+        QVERIFY(bench.maps.size() > before);
+    }
+
     void cutsAndJoinsAreObeyed()
     {
         Bench bench(test::sphere(24, 32));

@@ -172,8 +172,7 @@ private Q_SLOTS:
         window.select(window.column(3, 0, 2) + window.column(5));
         const DocumentState before = window.document().state();
         QVERIFY(window.rip());
-        QCOMPARE(window.done.last().first().toString(),
-                 u"Edges ripped: 2, seams already, forced now: 8"_s);
+        QCOMPARE(window.done.last().first().toString(), u"Edges ripped: 2, seams already, forced now: 8"_s);
         window.requireEntry(u"Rip 2 edges"_s, before);
         window.requireCleanMap();
     }

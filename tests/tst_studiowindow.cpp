@@ -13,11 +13,13 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPainter>
+#include <QPushButton>
 #include <QScreen>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 using namespace autocuts;
 using test::StudioSession;
@@ -419,6 +421,23 @@ private Q_SLOTS:
         resizeOnScreen(dialog, {100000, 300});
         QVERIFY(dialog.width() < screen.width());
         QCOMPARE(dialog.height(), 300);
+    }
+
+    //! Also where the style sheet makes widgets larger, which they only know when they are shown.
+    void dialogsHaveRoomForTheirContent()
+    {
+        QWidget dialog;
+        auto *layout = new QVBoxLayout(&dialog);
+        auto *button = new QPushButton(QStringLiteral("Go"));
+        layout->addWidget(button);
+        dialog.setStyleSheet(QStringLiteral("QPushButton { min-width: 333px; min-height: 77px; }"));
+        resizeToContent(dialog);
+        const QSize size = dialog.size();
+        QVERIFY(size.width() > 333 && size.height() > 77);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QCOMPARE(dialog.size(), size);
+        QVERIFY(button->width() >= 333 && button->height() >= 77);
     }
 
     void theWindowsLayoutIsKept()

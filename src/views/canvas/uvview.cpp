@@ -56,8 +56,18 @@ UvView::UvView(const StudioContext &context, ToolManager &tools, QWidget *parent
             frameIfLost();
         mWasLive = isLive;
     });
-    connect(&context.map, &MapController::done, this, &UvView::frameIfLost);
-    connect(&context.map, &MapController::failed, this, &UvView::frameIfLost);
+    const auto lookAtNewMap = [this] {
+        const Document *document = studio().workspace.document();
+        if (document && !document->token().sameMap(mJobsBegin))
+            frameIfLost();
+    };
+    connect(&context.map, &MapController::done, this, lookAtNewMap);
+    connect(&context.map, &MapController::failed, this, lookAtNewMap);
+    connect(&context.map.jobs(), &JobRunner::busyChanged, this, [this] {
+        const Document *document = studio().workspace.document();
+        if (document && studio().map.jobs().isBusy())
+            mJobsBegin = document->token();
+    });
     connect(&context.view, &ViewState::toolsChanged, this, qOverload<>(&UvView::update));
     connect(&context.map.jobs(), &JobRunner::busyChanged, this, qOverload<>(&UvView::update));
 }

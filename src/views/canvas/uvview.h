@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/packingsettings.h"
+#include "model/plain/statetoken.h"
 #include "views/canvas/canvas.h"
 #include "views/canvas/mapcamera.h"
 
@@ -58,6 +59,7 @@ private:
     QTimer mDrawSoon;       //!< goes on with the picture
     bool mFramesAll = true; //!< shows everything, also when its size changes, until the camera is moved
     bool mWasLive = false;  //!< ShownMap::isLive() at its last change
+    StateToken mJobsBegin;  //!< of the document when the last job began
 };
 
 } // namespace autocuts
