@@ -1,10 +1,14 @@
 // Layout pictures: what is drawn where, and that the bytes are always the same.
+#include "model/io/layoutfiles.h"
 #include "model/io/layoutpaths.h"
+#include "model/io/savefile.h"
 #include "model/io/uvexport.h"
 #include "support/meshbuilders.h"
 #include "support/objuv.h"
 
+#include <QFileInfo>
 #include <QImage>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
 
@@ -229,6 +233,21 @@ private Q_SLOTS:
         }
         QVERIFY(inside > 50);
         QVERIFY(at(image, 0.8, 0.5) != QColor(10, 20, 30));
+    }
+
+    void aStopEndsThePicture()
+    {
+        const test::ObjUv obj = twoSquares();
+        const std::atomic<bool> stop = true, goOn = false;
+        const QByteArray whole = layoutPng(*obj.mesh, obj.uv).value();
+        QCOMPARE(layoutPng(*obj.mesh, obj.uv, {}, &goOn).value(), whole);
+        QVERIFY(layoutPng(*obj.mesh, obj.uv, {}, &stop).value() != whole);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a.png"));
+        QVERIFY(!writeLayoutPictures({{1001, path}}, *obj.mesh, obj.uv, {}, &stop).ok());
+        QVERIFY(!QFileInfo::exists(path));
+        QVERIFY(writeLayoutPictures({{1001, path}}, *obj.mesh, obj.uv, {}, &goOn).ok());
+        QCOMPARE(loadFile(path, 1 << 24).value(), whole);
     }
 
     //! Also where there are many.

@@ -372,6 +372,7 @@ private Q_SLOTS:
         overlaps.faceFlags = options.faceFlags;
         const overlap::OverlapList list = findUvOverlaps(*obj.mesh, obj.uv, overlaps);
         QCOMPARE(list.pairs.size(), std::size_t(2));
+        QCOMPARE(overlappingTriangles(*obj.mesh, obj.uv, overlaps), overlappingTriangles(list));
         for (const int t : overlappingTriangles(list))
             QVERIFY(obj.mesh->triangleFace[t] >= 2);
         overlaps.maxPairs = 1;

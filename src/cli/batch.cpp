@@ -474,6 +474,7 @@ private:
         report.delta = made.delta;
         report.hardSurfaceShare = made.hardShare;
         report.status = statusWord(mStop, made.boundMissed);
+        const bool wasStopped = mStop.stop; // what was found until then is drawn
         report.notes += made.notes;
         report.transfer = made.transfer;
         if (!mOptions.quiet)
@@ -482,11 +483,18 @@ private:
         sayWarnings(warnings);
         report.notes += warnings;
         if (!mOptions.layout.isEmpty()) {
-            const std::vector<int> hatched =
-                report.overlapPairs.value_or(0) > 0 ? overlappingTriangles(scene, flags) : std::vector<int>();
+            const StopSource *stop = wasStopped ? nullptr : &mStop;
+            std::vector<int> hatched;
+            if (report.overlapPairs.value_or(0) > 0)
+                hatched = overlappingTriangles(scene, flags, stop);
             const std::vector<bool> faces = mScope ? mScope->faces : std::vector<bool>();
-            if (const Result<Done> drawn = writeLayout(mOptions, scene, hatched, faces); !drawn)
+            const Result<Done> drawn = writeLayout(mOptions, scene, hatched, faces, stop);
+            if (!drawn && (wasStopped || mStop.reason != StopReason::Interrupted))
                 return failAfter({mOptions.output}, drawn.error());
+            if (!drawn) {
+                sayWarnings({drawn.error().toString()});
+                report.layout.clear();
+            }
         }
         report.seconds = double(mClock.elapsed()) / 1000;
         if (!mOptions.report.isEmpty()) {

@@ -192,16 +192,17 @@ QString reportTable(const MapReport &r)
     return table;
 }
 
-std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<IslandFlags> &faceFlags)
+std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<IslandFlags> &faceFlags,
+                                      const StopSource *stop)
 {
     metrics::UvOverlapOptions options;
     options.faceFlags = faceFlags;
-    return metrics::overlappingTriangles(
-        metrics::findUvOverlaps(*scene.mesh, scene.uvSets.front().uv, options));
+    options.job = JobContext(stop ? &stop->stop : nullptr);
+    return metrics::overlappingTriangles(*scene.mesh, scene.uvSets.front().uv, options);
 }
 
 Result<Done> writeLayout(const CliOptions &cli, const Scene &scene, const std::vector<int> &hatched,
-                         const std::vector<bool> &faces)
+                         const std::vector<bool> &faces, const StopSource *stop)
 {
     const PackingSettings &packing = cli.unwrap.packing;
     const MeshData &mesh = *scene.mesh;
@@ -210,9 +211,11 @@ Result<Done> writeLayout(const CliOptions &cli, const Scene &scene, const std::v
     options.size = std::clamp(std::max(packing.textureSize, packing.height()), 256, 4096);
     options.tileHeight = packing.tileHeight();
     options.overlapping = hatched;
-    return writeLayoutPictures(
-        layoutPictures(cli.layout, mesh, uv, packing.tileHeight(), packing.udimTile, cli.per.has_value()),
-        mesh, uv, options);
+    const std::vector<LayoutPicture> pictures =
+        layoutPictures(cli.layout, mesh, uv, packing.tileHeight(), packing.udimTile, cli.per.has_value());
+    Result<Done> done = writeLayoutPictures(pictures, mesh, uv, options, stop ? &stop->stop : nullptr);
+    const bool isOver = done.ok() || !stop || stop->reason != StopReason::TimeLimit;
+    return isOver ? done : writeLayoutPictures(pictures, mesh, uv, options);
 }
 
 } // namespace autocuts

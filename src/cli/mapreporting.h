@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/clioptions.h"
+#include "cli/stopsource.h"
 #include "model/document/result.h"
 #include "model/document/scene.h"
 #include "model/io/report.h"
@@ -33,12 +34,15 @@ QStringList mapWarnings(const MapReport &report);
 //! The most important figures, one per line: the key in the report, the value and its meaning.
 QString reportTable(const MapReport &report);
 
-//! The triangles that overlap in the active UV set, ascending. \param faceFlags see reportOn()
-std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<IslandFlags> &faceFlags);
+//! The triangles that overlap in the active UV set, ascending. \param faceFlags see reportOn() \param stop
+//! ends it with those found so far; null: nothing does
+std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<IslandFlags> &faceFlags,
+                                      const StopSource *stop);
 
 //! Draws the active UV set as the options say: a picture of each UDIM tile in use.
-//! \param hatched triangles, ascending \param faces per face: it is drawn; empty: all are
+//! \param hatched triangles, ascending \param faces per face: it is drawn; empty: all are \param stop an
+//! interrupt, but no time limit, ends it with an Error and leaves all files as they were; null: nothing does
 Result<Done> writeLayout(const CliOptions &cli, const Scene &scene, const std::vector<int> &hatched,
-                         const std::vector<bool> &faces);
+                         const std::vector<bool> &faces, const StopSource *stop);
 
 } // namespace autocuts

@@ -32,16 +32,16 @@ Result<Done> writeLayoutPictures(const std::vector<LayoutPicture> &pictures, con
 {
     FileSet files;
     for (const LayoutPicture &picture : pictures) {
+        UvMatrix ofTile = uv;
+        ofTile.rowwise() -= udimTile(picture.tile, options.tileHeight).min().transpose();
+        const bool svg = picture.path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive);
+        const Result<QByteArray> bytes =
+            svg ? layoutSvg(mesh, ofTile, options) : layoutPng(mesh, ofTile, options, stop);
         if (stop && *stop)
             return Error{QCoreApplication::translate("FileErrors", "cancelled: no picture was written"),
                          picture.path,
                          0,
                          {}};
-        UvMatrix ofTile = uv;
-        ofTile.rowwise() -= udimTile(picture.tile, options.tileHeight).min().transpose();
-        const bool svg = picture.path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive);
-        const Result<QByteArray> bytes =
-            svg ? layoutSvg(mesh, ofTile, options) : layoutPng(mesh, ofTile, options);
         if (!bytes)
             return bytes.error();
         if (Result<Done> added = files.add(picture.path, bytes.value()); !added)

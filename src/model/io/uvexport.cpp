@@ -31,9 +31,10 @@ constexpr std::size_t mostAtOnce = 32;
 class LayoutPainter
 {
 public:
-    LayoutPainter(QImage &image, const LayoutPaths &paths, const LayoutStyle &style, double tileHeight)
-        : mPainter(&image), mPaths(paths), mStyle(style), mWidth(image.width()), mHeight(image.height()),
-          mTop(tileHeight)
+    LayoutPainter(QImage &image, const LayoutPaths &paths, const LayoutStyle &style, double tileHeight,
+                  const std::atomic<bool> *stop)
+        : mPainter(&image), mPaths(paths), mStyle(style), mStop(stop), mWidth(image.width()),
+          mHeight(image.height()), mTop(tileHeight)
     {
         mPainter.setRenderHint(QPainter::Antialiasing);
     }
@@ -51,6 +52,8 @@ public:
     }
 
 private:
+    bool stopped() const { return mStop && *mStop; }
+
     QPointF pixel(const Vec2 &uv) const { return {uv.x() * mWidth, (mTop - uv.y()) * mWidth}; }
 
     QPainterPath path(Loops loops) const
@@ -92,7 +95,7 @@ private:
             area.fill(Qt::transparent);
             QPainter painter(&area);
             painter.setRenderHint(QPainter::Antialiasing, strokeWidth > 0); // areas side by side: no gaps
-            for (std::size_t i = 0; i < loops.size(); ++i)
+            for (std::size_t i = 0; i < loops.size() && !stopped(); ++i)
                 drawPath(painter, Loops(loops).subspan(i, 1), Qt::black, strokeWidth);
             mPainter.setCompositionMode(QPainter::CompositionMode_DestinationOut);
             if (replaces)
@@ -116,12 +119,12 @@ private:
 
     void paintIslands(int bleed)
     {
-        for (std::size_t i = 0; bleed > 0 && i < mPaths.islands.size(); ++i) {
+        for (std::size_t i = 0; bleed > 0 && i < mPaths.islands.size() && !stopped(); ++i) {
             const QColor color = mStyle.islandColor(static_cast<int>(i));
             paintArea(mPaths.islands[i], mPaths.isTangle[i], color, false, 2.0 * bleed);
         }
         // With bleeding, islands replace what bled into them. Without it, overlapping islands are blended.
-        for (std::size_t i = 0; i < mPaths.islands.size(); ++i)
+        for (std::size_t i = 0; i < mPaths.islands.size() && !stopped(); ++i)
             paintArea(mPaths.islands[i], mPaths.isTangle[i], mStyle.islandColor(static_cast<int>(i)),
                       bleed > 0);
     }
@@ -164,7 +167,7 @@ private:
             if (line.closed)
                 polygon << polygon.first();
             const qsizetype step = hasTangles ? qsizetype(mostAtOnce) : polygon.size();
-            for (qsizetype first = 0; first + 1 < polygon.size(); first += step)
+            for (qsizetype first = 0; first + 1 < polygon.size() && !stopped(); first += step)
                 mPainter.drawPolyline(polygon.mid(first, step + 1));
         }
     }
@@ -172,6 +175,7 @@ private:
     QPainter mPainter;
     const LayoutPaths &mPaths;
     const LayoutStyle &mStyle;
+    const std::atomic<bool> *mStop;
     double mWidth, mHeight; //!< pixels
     double mTop;            //!< v of the upper border
 };
@@ -349,7 +353,8 @@ UvMatrix withoutOtherFaces(const MeshData &mesh, const UvMatrix &uv, const std::
     return some;
 }
 
-Result<QByteArray> layoutPng(const MeshData &mesh, const UvMatrix &uv, const LayoutOptions &options)
+Result<QByteArray> layoutPng(const MeshData &mesh, const UvMatrix &uv, const LayoutOptions &options,
+                             const std::atomic<bool> *stop)
 {
     const QString problem = layoutOptionsProblem(options);
     if (!problem.isNull())
@@ -360,7 +365,7 @@ Result<QByteArray> layoutPng(const MeshData &mesh, const UvMatrix &uv, const Lay
     const LayoutPaths paths = layoutPaths(mesh, uv, options.tileHeight, options.overlapping);
     const LayoutStyle style(paths, options);
     image.fill(style.background);
-    LayoutPainter(image, paths, style, options.tileHeight).paint(options);
+    LayoutPainter(image, paths, style, options.tileHeight, stop).paint(options);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);

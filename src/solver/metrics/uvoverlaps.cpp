@@ -114,4 +114,24 @@ std::vector<int> overlappingTriangles(const overlap::OverlapList &overlaps)
     return triangles;
 }
 
+std::vector<int> overlappingTriangles(const MeshData &mesh, const UvMatrix &uv,
+                                      const UvOverlapOptions &options)
+{
+    const UvTopology topology = findUvTopology(mesh, uv);
+    const UvTriangles triangles = collectUvTriangles(mesh, uv, topology);
+    const OverlapSearch search(uv, topology, triangles, options);
+    std::vector<bool> overlaps(triangles.count(), false);
+    search.visit(overlap::visibleOverlap, [&](int a, int b, double) {
+        if (!search.inOneStack(a, b))
+            overlaps[a] = overlaps[b] = true;
+        return true;
+    });
+    std::vector<int> list;
+    for (int t = 0; t < triangles.count(); ++t) {
+        if (overlaps[t])
+            list.push_back(t);
+    }
+    return list;
+}
+
 } // namespace autocuts::metrics

@@ -42,5 +42,9 @@ UvOverlapFigures measureUvOverlaps(const UvMatrix &uv, const UvTopology &topolog
 
 //! The triangles in these pairs, in ascending order.
 std::vector<int> overlappingTriangles(const overlap::OverlapList &overlaps);
+//! The same of findUvOverlaps(), of however many pairs, without a list of them. Those found so far when
+//! stopped.
+std::vector<int> overlappingTriangles(const MeshData &mesh, const UvMatrix &uv,
+                                      const UvOverlapOptions &options);
 
 } // namespace autocuts::metrics
