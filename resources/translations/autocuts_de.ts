@@ -6698,6 +6698,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>All faces are hidden: show those whose map is to change</source>
         <translation>Alle Flächen sind ausgeblendet: die zeigen, deren Layout sich ändern soll</translation>
     </message>
+    <message>
+        <source>seams already, forced now: %1</source>
+        <translation>waren schon Nähte, jetzt erzwungen: %1</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>
