@@ -7,6 +7,7 @@
 #include "views/control/modelpictures.h"
 #include "views/control/workspace.h"
 
+#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLPaintDevice>
@@ -24,6 +25,16 @@ namespace {
 
 //! Milliseconds that uploading pictures may take in one turn of the event loop. Chosen by hand.
 constexpr int timeOfTurn = 8;
+
+//! The last upload of a part of a picture. The timers of all views may be served in one turn of the event
+//! loop; then only one view goes on.
+struct LastUpload
+{
+    const Canvas *view = nullptr;
+    QElapsedTimer time;
+};
+LastUpload lastUpload;
+constexpr int timeOfOthers = 2; // milliseconds
 
 QSurfaceFormat canvasFormat()
 {
@@ -208,9 +219,15 @@ void Canvas::uploadOn()
 {
     if (!mGl || !mGl->pictures.isBusy())
         return;
+    if (lastUpload.view != this && lastUpload.time.isValid() && !lastUpload.time.hasExpired(timeOfOthers)) {
+        mUploadSoon.start();
+        return;
+    }
     makeCurrent();
     mGl->pictures.goOn(timeOfTurn);
     doneCurrent();
+    lastUpload.view = this;
+    lastUpload.time.start();
     if (mGl->pictures.isBusy())
         mUploadSoon.start();
     else
