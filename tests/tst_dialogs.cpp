@@ -300,6 +300,38 @@ private Q_SLOTS:
         QCOMPARE(studio.workspace.sessionPath(), studio.path("mine.acproj"));
     }
 
+    //! Whoever opens the file that a crash was about is asked as well; whoever opens another one is not.
+    void aCrashIsOfferedWithItsFile_data()
+    {
+        QTest::addColumn<bool>("accepted");
+        QTest::newRow("recovered") << true;
+        QTest::newRow("later") << false;
+    }
+    void aCrashIsOfferedWithItsFile()
+    {
+        QFETCH(bool, accepted);
+        test::StudioParts studio;
+        int dialogs = 0;
+        studio.answers.onDialog = [&](QDialog &dialog) {
+            ++dialogs;
+            accepted ? dialog.accept() : dialog.reject();
+            return dialog.result();
+        };
+        QDir().mkpath(studio.path("recovery"));
+        crashed(studio.path("recovery/1.acproj"), studio.path("mine.acproj"));
+        const DocumentState saved = DocumentState::initial(makeSample(u"bumpycube"_s).value());
+        for (const char *name : {"mine.acproj", "other.acproj"})
+            QVERIFY(saveProject(saved, {}, studio.path(name)).ok());
+        studio.actions.file().openFile(studio.path("other.acproj"));
+        QTRY_VERIFY(studio.workspace.document());
+        QCOMPARE(dialogs, 0);
+        QVERIFY(!studio.workspace.isModified());
+        studio.actions.file().openFile(studio.path("mine.acproj"));
+        QCOMPARE(dialogs, 1);
+        QTRY_COMPARE(studio.workspace.sessionPath(), studio.path("mine.acproj"));
+        QCOMPARE(studio.workspace.isModified(), accepted);
+    }
+
     void listOfKeysIsThatOfTheRegistry()
     {
         test::StudioParts studio;

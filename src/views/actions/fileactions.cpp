@@ -216,8 +216,27 @@ void FileActions::openFile(const QString &path)
 {
     leaveSession([this, path] {
         rememberFolder(path);
-        mContext.files.open(path);
+        if (const std::optional<RecoverableSession> session = chosenForRecovery(path))
+            mContext.files.recover(*session);
+        else
+            mContext.files.open(path);
     });
+}
+
+//! Asks whether work on a file that a crash has left is to go on. \param path of the file; empty: of any
+std::optional<RecoverableSession> FileActions::chosenForRecovery(const QString &path)
+{
+    std::vector<RecoverableSession> sessions = mContext.files.recoverable();
+    std::erase_if(sessions, [&](const RecoverableSession &session) {
+        const QString &of = session.sessionPath.isEmpty() ? session.modelPath : session.sessionPath;
+        return !path.isEmpty() && QFileInfo(of) != QFileInfo(path);
+    });
+    if (sessions.empty())
+        return std::nullopt;
+    RecoveryDialog dialog(sessions, mQuestions);
+    if (mQuestions.run(dialog) != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.chosen();
 }
 
 void FileActions::askOpen()
@@ -348,12 +367,8 @@ bool FileActions::confirmReplacing(const std::vector<LayoutPicture> &pictures)
 
 void FileActions::offerRecovery()
 {
-    const std::vector<RecoverableSession> sessions = mContext.files.recoverable();
-    if (sessions.empty())
-        return;
-    RecoveryDialog dialog(sessions, mQuestions);
-    if (mQuestions.run(dialog) == QDialog::Accepted)
-        leaveSession([this, session = dialog.chosen()] { mContext.files.recover(session); });
+    if (const std::optional<RecoverableSession> session = chosenForRecovery({}))
+        leaveSession([this, session] { mContext.files.recover(*session); });
 }
 
 //! A path next to the session or the model with another suffix; without suffix when it is empty.

@@ -1,12 +1,14 @@
 // The File menu, and the questions before unsaved work would be lost.
 #pragma once
 
+#include "model/io/autosave.h"
 #include "views/control/filewatch.h"
 #include "views/control/studiocontext.h"
 
 #include <QObject>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QMenu;
@@ -38,7 +40,8 @@ public:
     //! Adds the recent files to their menu and keeps the menu up to date.
     void fillRecentMenu(MenuBuilder &menus);
     FileWatch &watch() { return mWatch; }
-    //! Opens a mesh or a session from the command line, by drag and drop, or from the recent files.
+    //! Opens a mesh or a session from the command line, by drag and drop, or from the recent files. Offers
+    //! what a crash has left of work on it first.
     void openFile(const QString &path);
     //! Offers to recover sessions after a crash; shows nothing when there are none.
     void offerRecovery();
@@ -57,6 +60,7 @@ private:
     void leaveSession(const std::function<void()> &then);
     bool mayEndJob();
     bool mayLeaveChanges();
+    std::optional<RecoverableSession> chosenForRecovery(const QString &path);
     void askOpen();
     void askRelink();
     void askExportAgain();
