@@ -1,10 +1,14 @@
 // What a job may change.
 #include "model/plain/uvlayout.h"
+#include "model/samples/samples.h"
+#include "solver/metrics/uvmetrics.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
+
+#include <algorithm>
 
 using namespace autocuts;
 using namespace autocuts::unwrap;
@@ -16,6 +20,8 @@ class TestFreePart : public QObject
 private Q_SLOTS:
     void pinnedIslandsStay_data();
     void pinnedIslandsStay();
+    void theRestIsNotMadeWorse_data();
+    void theRestIsNotMadeWorse();
 };
 
 void TestFreePart::pinnedIslandsStay_data()
@@ -70,6 +76,54 @@ void TestFreePart::pinnedIslandsStay()
     const UnwrapResult result = unwrapMesh(snapshot, {});
     QVERIFY(result.nothingFree);
     QVERIFY(result.uv == uv);
+}
+
+void TestFreePart::theRestIsNotMadeWorse_data()
+{
+    QTest::addColumn<int>("held"); // island, by size; -1: a face is out of the scope
+    QTest::newRow("the largest island") << 0;
+    QTest::newRow("the second island") << 1;
+    QTest::newRow("a face") << -1;
+}
+
+//! Unwrapped anew beside an island that is locked, or a face that is hidden, a map of a document stays or
+//! gets better, also where the bound is used up: the bound is for the mean of all.
+void TestFreePart::theRestIsNotMadeWorse()
+{
+    QFETCH(int, held);
+    Snapshot snapshot;
+    snapshot.mesh = makeSample(QStringLiteral("machine")).value().mesh;
+    snapshot.keepTiles = true;
+    const MeshData &mesh = *snapshot.mesh;
+    UnwrapOptions options;
+    options.packing.effort = 0.02;
+    static const UnwrapResult first = unwrapMesh(snapshot, options);
+    snapshot.uv = std::make_shared<const UvMatrix>(first.uv);
+    snapshot.uvScale = layoutScale(mesh, first.uv);
+    std::vector<std::vector<int>> islands = findCharts(mesh, first.uv).faces();
+    std::stable_sort(islands.begin(), islands.end(),
+                     [](const auto &a, const auto &b) { return a.size() > b.size(); });
+    if (held < 0) {
+        auto scope = std::make_shared<JobScope>();
+        scope->faces.assign(mesh.faceCount(), true);
+        scope->faces[islands[0][islands[0].size() / 2]] = false;
+        snapshot.scope = std::move(scope);
+    } else {
+        std::vector<IslandFlags> &flags = snapshot.editSteering().faceFlags;
+        flags.resize(mesh.faceCount());
+        for (const int face : islands[static_cast<std::size_t>(held)])
+            flags[face].locked = 1;
+    }
+    options.quality = UnwrapQuality::Draft; // which finds a worse map, but does not give it
+    const UnwrapResult again = unwrapMesh(snapshot, options);
+    const auto seams = [&](const UvMatrix &uv) { return metrics::measureShapes(mesh, uv, 1).seamNorm; };
+    QVERIFY(again.withinBound && again.unmet.empty());
+    QVERIFY2(seams(again.uv) <= 1.02 * seams(first.uv),
+             qPrintable(QStringLiteral("%1 -> %2").arg(seams(first.uv)).arg(seams(again.uv))));
+    QCOMPARE(again.nothingGained, again.uv == first.uv);
+    // A plain file gets what the search finds.
+    snapshot.keepTiles = false;
+    QVERIFY(!unwrapMesh(snapshot, options).nothingGained);
 }
 
 QTEST_GUILESS_MAIN(TestFreePart)

@@ -6702,6 +6702,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>seams already, forced now: %1</source>
         <translation>waren schon Nähte, jetzt erzwungen: %1</translation>
     </message>
+    <message>
+        <source>Unwrapped: no better map was found, it stays as it was</source>
+        <translation>Abgewickelt: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>

@@ -92,6 +92,8 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
     outcome.warnings << unmetText(result.unmet);
     if (result.stopped)
         sayStraight(result.straight, outcome);
+    if (result.nothingGained)
+        outcome.notes << QStringLiteral("no better map was found: it stays as it was");
     sayGivenSeams(snapshot.value(), outcome);
     outcome.iterations = result.iterations;
     outcome.hardShare = result.hardShare;

@@ -133,8 +133,8 @@ std::optional<SeamedMap> BestLiveMap::settledAlike(const search::CutState &state
 //! True when the document's map, if it may stay, is worse than this one.
 bool BestLiveMap::isBeaten(const SeamedMap &map) const
 {
-    if (!mStanding ||
-        beats(map, *mProblem.soup(), mProblem.problem(), mStanding->worth, mOptions.maxDistortion))
+    if (!mStanding || beats(map, *mProblem.soup(), mProblem.problem(), mStanding->worth,
+                            mProblem.part().boundOf(mOptions.maxDistortion, mStanding->worth.bounded)))
         return true;
     const FreePart &part = mProblem.part();
     const UvMatrix uv = part.wholeUv(mProblem.problem().uvScale * cornerUv(*mProblem.soup(), map));

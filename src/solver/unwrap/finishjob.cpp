@@ -138,7 +138,7 @@ public:
     {
         if (!mStanding || mStanding->inPlace || !mUnmet.onlyRectangles())
             return;
-        if (!beats(map, *mSoup, mProblem, mStanding->worth, mInput.maxDistortion))
+        if (!beats(map, *mSoup, mProblem, mStanding->worth, bound()))
             map = mStanding->worth.map;
     }
 
@@ -151,7 +151,7 @@ public:
         if (!made.noRoom && Wishes::of(mInput.snapshot, made.uv).isBetterThan(mStanding->wishes))
             return false;
         const std::optional<Candidate> after = worthOf(mPart, mSoup, mProblem, made.uv);
-        return made.noRoom || !after || !beats(*after, mStanding->worth, mInput.maxDistortion);
+        return made.noRoom || !after || !beats(*after, mStanding->worth, bound());
     }
 
     const UnmetSteering &unmet() const { return mUnmet; }
@@ -162,6 +162,8 @@ public:
     }
 
 private:
+    double bound() const { return mPart.boundOf(mInput.maxDistortion, mStanding->worth.bounded); }
+
     const FinishInput &mInput;
     const FreePart &mPart;
     const std::shared_ptr<const Soup> mSoup;

@@ -4,6 +4,7 @@
 #include "model/plain/unionfind.h"
 #include "model/plain/uvlayout.h"
 #include "model/plain/uvseams.h"
+#include "solver/metrics/uvmetrics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ bool isFree(const IslandFlags &flags)
     return flags.locked == 0 && flags.stack == 0 && flags.group == 0;
 }
 
+constexpr double sameDistortion = 1e-9; // what a map may differ by that is measured again; by hand
 constexpr double atPin = 1e-7; // distance from a pin, in texture space, of a corner that is at it; by hand
 
 //! Per face: true when hard pins hold all its corners, where the map has them. Empty when there is no map.
@@ -99,6 +101,11 @@ std::optional<FreePart> FreePart::of(const Snapshot &snapshot, const FreePart *p
         part.addSteering(snapshot);
         part.addBorders(snapshot, faces);
         part.addObstacles(snapshot, faces);
+        if (same)
+            part.mDistortionBefore = previous->mDistortionBefore;
+        else if (snapshot.uv)
+            part.mDistortionBefore =
+                metrics::measureShapes(*snapshot.mesh, *snapshot.uv, snapshot.tileHeight).tileDirichlet;
     }
     part.cutImpliedSeams();
     part.decideGivenSeams();
@@ -242,6 +249,13 @@ void FreePart::addObstacles(const Snapshot &whole, const std::vector<bool> &face
     std::erase_if(obstacles, [](const Obstacle &o) { return !o.isOpen[0] && !o.isOpen[1] && !o.isOpen[2]; });
     if (!obstacles.empty())
         mSnapshot.obstacles = std::make_shared<const std::vector<Obstacle>>(std::move(obstacles));
+}
+
+double FreePart::boundOf(double maxDistortion, double before) const
+{
+    return mDistortionBefore <= maxDistortion + sameDistortion
+               ? std::max(maxDistortion, before + sameDistortion)
+               : maxDistortion;
 }
 
 //! Cuts the edges between faces of different rectangles or UDIM tiles, unless the user joined them.

@@ -5,6 +5,7 @@
 #include "model/plain/meshpart.h"
 #include "model/plain/snapshot.h"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -58,6 +59,10 @@ public:
     std::vector<float> wholePairs(const std::vector<float> &pairs) const;
     //! Length in solver units of the part per length in those of the whole mesh.
     double unit() const { return mUnit; }
+    //! The bound by which the part of the map before is compared with others. That of the user is for the
+    //! mean of the whole map: where that keeps to it, its part does, however much it is stretched. \param
+    //! before distortion that counts for the bound of the part in the map before
+    double boundOf(double maxDistortion, double before) const;
 
 private:
     void addBorders(const Snapshot &whole, const std::vector<bool> &faces);
@@ -71,6 +76,8 @@ private:
     std::vector<bool> mPinned; //!< the same: hard pins hold all its corners; empty when there is no map
     MeshPart mPart;            //!< null mesh: the whole mesh
     double mUnit = 1;
+    //! Mean distortion of the whole map before; infinite where it has none, and of a part that is the whole.
+    double mDistortionBefore = std::numeric_limits<double>::infinity();
     //! A corner of the part that is the same UV vertex as a corner of a face outside of it.
     struct Attachment
     {

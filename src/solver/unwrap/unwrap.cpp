@@ -16,6 +16,7 @@
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/rectanglefit.h"
+#include "solver/unwrap/standingmap.h"
 
 #include <algorithm>
 #include <array>
@@ -197,6 +198,43 @@ Snapshot withFreeStacks(Snapshot snapshot)
     return snapshot;
 }
 
+//! The map before, where some of it has to stay: beside that the rest is not to become worse than it was.
+//! Nothing where that cannot be compared, when the map before has to change, and of a plain file.
+class MapBesideTheRest
+{
+public:
+    MapBesideTheRest(const Snapshot &snapshot, const FreePart &part, const straight::StraightPlan &plan,
+                     const UnwrapOptions &options, const JobContext &job)
+        : mPart(part)
+    {
+        if (part.isWhole() || !snapshot.uv || !snapshot.keepTiles || !plan.isEmpty() || options.lambda ||
+            !options.pack || snapshot.settings.seams == SeamMode::Only ||
+            snapshot.settings.alike == AlikeMode::Stack ||
+            !std::ranges::all_of(part.snapshot().steering->pins, &Pin::hard) ||
+            !unmetSteering(snapshot, *snapshot.uv).onlyRectangles())
+            return;
+        mSoup = Soup::build(part.snapshot().mesh);
+        mProblem = preference::SeamPreference().applied(part.withoutRectangles(), job.threads());
+        mStanding = standingMap(snapshot, part, mSoup, mProblem, options.packing, job.quiet());
+    }
+
+    //! Takes it in place of a map that is not better. \returns true when it is also where it may stay
+    bool stays(Candidate &found, double maxDistortion) const
+    {
+        if (!mStanding || beats(found.map, *mSoup, mProblem, mStanding->worth,
+                                mPart.boundOf(maxDistortion, mStanding->worth.bounded)))
+            return false;
+        found = mStanding->worth;
+        return mStanding->inPlace;
+    }
+
+private:
+    const FreePart &mPart;
+    std::shared_ptr<const Soup> mSoup;
+    Snapshot mProblem;
+    std::optional<StandingMap> mStanding;
+};
+
 void checkOptions(const UnwrapOptions &options)
 {
     if (!(options.maxDistortion > 4))
@@ -228,6 +266,7 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, con
     const JobContext job = caller.reports() ? caller.watchedBy(withAll) : caller;
     const Snapshot &problem = part->withoutRectangles();
     const straight::StraightPlan plan = straight::StraightPlan::of(part->snapshot());
+    const MapBesideTheRest before(snapshot, *part, plan, options, caller);
     UnwrapOptions searched = options;
     searched.maxDistortion = plan.searchBound(options.maxDistortion);
     Ranking ranking(searched, job);
@@ -252,8 +291,18 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, con
     if (ready)
         prepare = [&ready](ReadyResult::MakeMap make) { ready->prepare(std::move(make)); };
     FoundMap found = findMap(problem, searched, ranking, job, prepare);
+    const bool stays = !found.onlyReady && before.stays(found.best, options.maxDistortion);
     // To place the islands takes long, too.
-    if (found.onlyReady || (ready && job.stopped() && ready->isAsGoodAs(found.best))) {
+    if (stays) {
+        result.uv = *snapshot.uv;
+        result.cut = part->wholeCut(found.best.map.cut);
+        result.distortion = found.best.distortion;
+        result.seamLength = found.best.seamLength + alwaysOpen;
+        result.withinBound =
+            found.best.distortion <= part->boundOf(options.maxDistortion, found.best.bounded);
+        result.packed = result.nothingGained = true;
+        result.unmet = unmetSteering(snapshot, result.uv);
+    } else if (found.onlyReady || (ready && job.stopped() && ready->isAsGoodAs(found.best))) {
         result = ready->take();
     } else {
         const JobContext::Sink report = [&](const JobProgress &done) {

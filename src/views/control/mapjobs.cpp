@@ -227,7 +227,9 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         result.hardShare = made.hardShare;
     const double distortion =
         metrics::measureShapes(input.mesh(), made.uv, input.snapshot.tileHeight).tileDirichlet;
-    result.message = JobTexts::tr("Unwrapped: distortion %1").arg(fixedText(distortion, 4));
+    result.message = made.nothingGained
+                         ? JobTexts::tr("Unwrapped: no better map was found, it stays as it was")
+                         : JobTexts::tr("Unwrapped: distortion %1").arg(fixedText(distortion, 4));
     sayStraight(made.stopped, made.straight, result);
     if (!made.packed)
         result.problem = noRoom(input.packing);
