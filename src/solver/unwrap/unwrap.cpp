@@ -198,8 +198,9 @@ Snapshot withFreeStacks(Snapshot snapshot)
     return snapshot;
 }
 
-//! The map before, where some of it has to stay: beside that the rest is not to become worse than it was.
-//! Nothing where that cannot be compared, when the map before has to change, and of a plain file.
+//! The map before, where locks, pins or stacks hold some of it: beside that the rest is not to become worse
+//! than it was. Nothing where that cannot be compared, when the map before has to change, when a scope says
+//! what is to be mapped anew, and of a plain file.
 class MapBesideTheRest
 {
 public:
@@ -207,8 +208,8 @@ public:
                      const UnwrapOptions &options, const JobContext &job)
         : mPart(part)
     {
-        if (part.isWhole() || !snapshot.uv || !snapshot.keepTiles || !plan.isEmpty() || options.lambda ||
-            !options.pack || snapshot.settings.seams == SeamMode::Only ||
+        if (part.isWhole() || snapshot.scope || !snapshot.uv || !snapshot.keepTiles || !plan.isEmpty() ||
+            options.lambda || !options.pack || snapshot.settings.seams == SeamMode::Only ||
             snapshot.settings.alike == AlikeMode::Stack ||
             !std::ranges::all_of(part.snapshot().steering->pins, &Pin::hard) ||
             !unmetSteering(snapshot, *snapshot.uv).onlyRectangles())
