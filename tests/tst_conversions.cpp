@@ -5,10 +5,10 @@
 #include "model/io/fbxsource.h"
 #include "model/io/instances.h"
 #include "model/io/meshfile.h"
-#include "model/io/modelunits.h"
 #include "model/io/picturefiles.h"
 #include "model/io/savefile.h"
 #include "model/io/texturefiles.h"
+#include "support/colladafiles.h"
 #include "support/gltffiles.h"
 
 #include <QImage>
@@ -25,6 +25,8 @@
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
+using test::viewsDae;
+using test::worldBox;
 
 namespace {
 
@@ -57,50 +59,6 @@ QByteArray integerSetting(const char *name, int value)
            '\n';
 }
 
-//! A Collada file with a camera, a spot light and a node named Box.
-QByteArray viewsDae()
-{
-    return "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
-           "version=\"1.4.1\">\n"
-           "<asset><unit meter=\"0.01\"/><up_axis>Z_UP</up_axis></asset>\n"
-           "<library_cameras><camera "
-           "id=\"cam\"><optics><technique_common><perspective><yfov>40</yfov>\n"
-           "<znear>1</znear><zfar>500</zfar></perspective></technique_common></optics></camera></"
-           "library_cameras>\n"
-           "<library_lights><light id=\"lamp\"><technique_common><spot><color>1 0.5 "
-           "0</color><falloff_angle>60</falloff_angle></spot>\n"
-           "</technique_common></light></library_lights>\n"
-           "<library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" "
-           "count=\"9\">0 0 0 100 0 0 0 0 300</float_array>\n"
-           "<technique_common><accessor source=\"#pa\" count=\"3\" stride=\"3\"><param name=\"X\" "
-           "type=\"float\"/><param name=\"Y\" type=\"float\"/>\n"
-           "<param name=\"Z\" type=\"float\"/></accessor></technique_common></source><vertices "
-           "id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/>\n"
-           "</vertices><triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 "
-           "2</p></triangles></mesh></geometry>\n"
-           "</library_geometries><library_visual_scenes><visual_scene id=\"s\">\n"
-           "<node id=\"n1\" name=\"Box\"><instance_geometry url=\"#g\"/></node>\n"
-           "<node id=\"n2\" name=\"Eye\"><translate>0 -500 0</translate><instance_camera "
-           "url=\"#cam\"/></node>\n"
-           "<node id=\"n3\" name=\"Lamp\"><instance_light url=\"#lamp\"/></node>\n"
-           "</visual_scene></library_visual_scenes><scene><instance_visual_scene "
-           "url=\"#s\"/></scene></COLLADA>";
-}
-
-const QByteArray movingLamp =
-    "<library_animations><animation><source id=\"t\"><float_array id=\"ta\" count=\"2\">0 1</float_array>"
-    "<technique_common><accessor source=\"#ta\" count=\"2\" stride=\"1\"><param name=\"TIME\" "
-    "type=\"float\"/>"
-    "</accessor></technique_common></source><source id=\"m\"><float_array id=\"ma\" count=\"6\">0 0 0 1 2 3"
-    "</float_array><technique_common><accessor source=\"#ma\" count=\"2\" stride=\"3\"><param name=\"X\" "
-    "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>"
-    "</technique_common></source><source id=\"i\"><Name_array id=\"ia\" count=\"2\">LINEAR "
-    "LINEAR</Name_array>"
-    "<technique_common><accessor source=\"#ia\" count=\"2\" stride=\"1\"><param name=\"INTERPOLATION\" "
-    "type=\"name\"/></accessor></technique_common></source><sampler id=\"sa\"><input semantic=\"INPUT\" "
-    "source=\"#t\"/><input semantic=\"OUTPUT\" source=\"#m\"/><input semantic=\"INTERPOLATION\" "
-    "source=\"#i\"/></sampler><channel source=\"#sa\" target=\"n3/place\"/></animation></library_animations>";
-
 QJsonObject jsonOf(const QString &glb)
 {
     const QByteArray bytes = loadFile(glb, 1 << 20).value();
@@ -109,14 +67,7 @@ QJsonObject jsonOf(const QString &glb)
     return QJsonDocument::fromJson(bytes.mid(20, static_cast<qsizetype>(size))).object();
 }
 
-//! The corners of the box of a mesh, in metres with y up.
-std::pair<Vec3, Vec3> worldBox(const Scene &scene)
-{
-    const PositionMatrix p = inUnits(scene.mesh->positions, unitsOf(scene), {});
-    return {p.colwise().minCoeff().transpose(), p.colwise().maxCoeff().transpose()};
-}
-
-//! The Box of that file on a bone of a Rig. \param counts of weights of its vertices \param weights pairs of
+//! The Box of viewsDae() on a bone of a Rig. \param counts of weights of its vertices \param weights pairs of
 //! a bone and a weight, each by number
 QByteArray riggedDae(const QByteArray &counts, const QByteArray &weights)
 {
@@ -361,47 +312,6 @@ private Q_SLOTS:
                 QVERIFY(std::abs((moved.isEmpty() ? matrix.at(12 + k) : moved.at(k)).toDouble() - 5 - k) <
                         1e-4);
         }
-    }
-
-    //! Assimp takes what is within a hundredth of the identity for it.
-    void smallDistancesStayInGltf_data()
-    {
-        QTest::addColumn<QByteArray>("unit");
-        QTest::addColumn<QByteArray>("place");
-        QTest::addColumn<bool>("moves");
-        QTest::newRow("unit") << QByteArray("1.004") << QByteArray() << false;
-        for (const bool moves : {false, true}) {
-            const char *animated = moves ? ", beside what moves" : "";
-            QTest::addRow("place%s", animated)
-                << QByteArray("1") << QByteArray("<translate>0.005 0 -0.009</translate>") << moves;
-            QTest::addRow("scale and place%s", animated)
-                << QByteArray("1")
-                << QByteArray("<translate>0 0.007 0</translate><scale>1.006 0.995 1</scale>") << moves;
-            QTest::addRow("turn%s", animated)
-                << QByteArray("1") << QByteArray("<rotate>0 0 1 0.4</rotate>") << moves;
-        }
-    }
-
-    void smallDistancesStayInGltf()
-    {
-        QFETCH(QByteArray, unit);
-        QFETCH(QByteArray, place);
-        QFETCH(bool, moves);
-        QByteArray dae = viewsDae();
-        dae.replace("Z_UP", "Y_UP");
-        dae.replace("0.01", unit);
-        dae.replace("name=\"Box\">", "name=\"Box\">" + place);
-        if (moves)
-            dae.replace("name=\"Lamp\">", "name=\"Lamp\"><translate sid=\"place\">0 0 0</translate>")
-                .replace("<library_visual_scenes>", movingLamp + "<library_visual_scenes>");
-        QVERIFY(saveAtomically(at(u"a.dae"_s), dae).ok());
-        const Scene scene = readMesh(at(u"a.dae"_s)).value();
-        QVERIFY(writeMesh(scene, at(u"a.glb"_s)).ok());
-        const Scene copy = readMesh(at(u"a.glb"_s)).value();
-        QCOMPARE(jsonOf(at(u"a.glb"_s)).contains(u"animations"_s), moves);
-        const auto [lower, upper] = worldBox(copy);
-        const auto [wantedLower, wantedUpper] = worldBox(scene);
-        QVERIFY((lower - wantedLower).norm() < 1e-4 && (upper - wantedUpper).norm() < 1e-4);
     }
 
     //! Assimp knows nodes by their ids, and takes degrees for radians where only the height of a view is
