@@ -80,13 +80,14 @@ void TestFreePart::pinnedIslandsStay()
 
 void TestFreePart::theRestIsNotMadeWorse_data()
 {
-    QTest::addColumn<int>("held"); // island, by size
+    QTest::addColumn<int>("held"); // island, by size; -1: a face is hidden
     QTest::newRow("the largest island") << 0;
     QTest::newRow("the second island") << 1;
+    QTest::newRow("a face") << -1;
 }
 
-//! Unwrapped anew beside an island that is locked, a map of a document stays or gets better, also where the
-//! bound is used up: the bound is for the mean of all.
+//! Unwrapped anew beside an island that is locked, or a face that is hidden, a map of a document stays or
+//! gets better, also where the bound is used up: the bound is for the mean of all.
 void TestFreePart::theRestIsNotMadeWorse()
 {
     QFETCH(int, held);
@@ -102,10 +103,16 @@ void TestFreePart::theRestIsNotMadeWorse()
     std::vector<std::vector<int>> islands = findCharts(mesh, first.uv).faces();
     std::stable_sort(islands.begin(), islands.end(),
                      [](const auto &a, const auto &b) { return a.size() > b.size(); });
-    std::vector<IslandFlags> &flags = snapshot.editSteering().faceFlags;
-    flags.resize(mesh.faceCount());
-    for (const int face : islands[static_cast<std::size_t>(held)])
-        flags[face].locked = 1;
+    if (held < 0) {
+        JobScope scope{std::vector<bool>(mesh.faceCount(), true), true, false};
+        scope.faces[islands[0][islands[0].size() / 2]] = false;
+        snapshot.scope = std::make_shared<const JobScope>(std::move(scope));
+    } else {
+        std::vector<IslandFlags> &flags = snapshot.editSteering().faceFlags;
+        flags.resize(mesh.faceCount());
+        for (const int face : islands[static_cast<std::size_t>(held)])
+            flags[face].locked = 1;
+    }
     options.quality = UnwrapQuality::Draft; // which finds a worse map, but does not give it
     const UnwrapResult again = unwrapMesh(snapshot, options);
     const auto seams = [&](const UvMatrix &uv) { return metrics::measureShapes(mesh, uv, 1).seamNorm; };

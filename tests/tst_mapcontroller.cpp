@@ -1,4 +1,5 @@
 // Jobs on whole maps: results come back as commands, edits meanwhile win, cancel keeps what there is.
+#include "commands/changesettings.h"
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/edituvsets.h"
@@ -121,8 +122,14 @@ private Q_SLOTS:
     void hiddenFacesAreAskedAbout()
     {
         Studio studio;
+        // A map with longer seams than the bound later needs: otherwise a job would leave it as it is.
+        const SolveSettings usual = studio.document().solveSettings();
+        SolveSettings tight = usual;
+        tight.maxDistortion = 4.01;
+        QVERIFY(pushCommand(std::make_unique<ChangeSettings>(studio.document(), tight)));
         studio.map.unwrap(UnwrapQuality::Draft);
         QVERIFY(studio.ends());
+        QVERIFY(pushCommand(std::make_unique<ChangeSettings>(studio.document(), usual)));
         const MeshData &mesh = studio.document().mesh();
         QList<int> hidden(mesh.faceCount() / 4);
         std::iota(hidden.begin(), hidden.end(), 0);

@@ -58,6 +58,8 @@ struct JobScope
     //! Where the border of the scope runs through an island. True: the map stays continuous across it; false:
     //! the scope is cut free.
     bool attached = true;
+    //! True: the faces were chosen to be mapped anew. False: all others are only to be left alone.
+    bool chosen = true;
 };
 
 //! A triangle that stays where it is and that nothing may come to overlap.

@@ -54,8 +54,10 @@ void MapKeeper::update(std::shared_ptr<const Snapshot> snapshot, const unwrap::L
         box.orders.options = options;
         box.orders.pulled = pulled;
         box.orders.token.reset();
-        if (back)
+        if (back) {
+            box.result = nullptr;
             box.orders.back = std::move(back);
+        }
     });
 }
 
@@ -111,6 +113,8 @@ void MapKeeper::obey(Orders orders)
 void MapKeeper::give(std::shared_ptr<const unwrap::LiveMapResult> map)
 {
     const bool isFirst = mMailbox.give(std::move(map), [](const auto &box, auto &result) {
+        if (box.orders.back)
+            result = box.orders.back; // that of a drag which has been taken back
         if (box.orders.token)
             result = withMapToken(*result, *box.orders.token);
     });

@@ -57,6 +57,20 @@ void BestLiveMap::offer(const search::CutState &state)
     mWaiting = state;
 }
 
+void BestLiveMap::setBest(const search::CutState &state)
+{
+    const std::lock_guard lock(mMutex);
+    mBest = state;
+    mBestMerit = meritOf(state);
+}
+
+void BestLiveMap::giveAgain(std::shared_ptr<const LiveMapResult> map)
+{
+    const std::lock_guard lock(mMutex);
+    mGiven = map;
+    mSink(std::move(map));
+}
+
 void BestLiveMap::giveWaiting(const JobContext &job, bool atOnce)
 {
     std::unique_lock lock(mMutex, std::defer_lock);

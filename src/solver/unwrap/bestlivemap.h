@@ -78,6 +78,11 @@ public:
     //! The next map is placed in relation to this one. \param uv per corner of the part, texture space
     void returnTo(const UvMatrix &uv) { mPlacing.returnTo(mProblem.part(), uv); }
 
+    //! Makes a map the best that was given out already.
+    void setBest(const search::CutState &state);
+    //! Gives a map out once more, as it is.
+    void giveAgain(std::shared_ptr<const LiveMapResult> map);
+
     //! The map that was given out last, or nothing when it was forgotten.
     const std::optional<search::CutState> &best() const { return mBest; }
     //! The best map is above the bound.

@@ -137,13 +137,13 @@ void LiveMap::updateProblem(const JobContext &job)
 }
 
 //! Makes a map of the part, as far as it can be steered, the one to improve.
-//! \param uv per corner of the part, texture space
-bool LiveMap::startFromMap(const UvMatrix &uv, const JobContext &job)
+//! \param uv per corner of the part, texture space \param given it was given out already, as it is
+bool LiveMap::startFromMap(const UvMatrix &uv, const JobContext &job, bool given)
 {
     Snapshot before = mProblem.problem();
     before.uv = std::make_shared<const UvMatrix>(uv);
     if (const std::optional<search::CutState> state = steeredMapBefore(mProblem.graph(), before, job))
-        take(*state, job);
+        given ? mBest.setBest(*state) : take(*state, job);
     return mBest.best().has_value();
 }
 
@@ -220,6 +220,9 @@ void LiveMap::steerMap(const JobContext &job)
     updateProblem(job);
     // Coarsening does not stop at once: whoever steers a large mesh gets local searches, which do.
     mExplored = mExplored || mProblem.isForCoarse();
+    const bool returns = mBack && mBack->token == mSnapshot->token;
+    if (returns)
+        mBest.giveAgain(mBack);
     // The document has the map that was given, and its islands have the sizes that are wanted.
     if (!mProblem.hasNewSizes() && mBest.given() && mSnapshot->uv && *mSnapshot->uv == mBest.given()->uv)
         findStanding(job);
@@ -228,13 +231,16 @@ void LiveMap::steerMap(const JobContext &job)
         return;
     }
     if (mBack || !mBest.best()) {
+        const UvMatrix uv = mProblem.part().partUv(mBack ? mBack->uv : mBest.given()->uv);
         if (mBack)
-            mBest.returnTo(mProblem.part().partUv(mBack->uv));
-        const std::shared_ptr<const LiveMapResult> from =
-            mBack ? std::exchange(mBack, nullptr) : mBest.given();
+            mBest.returnTo(uv);
         mBest.forgetBest();
-        if (!startFromMap(mProblem.part().partUv(from->uv), job) &&
-            !(mProblem.problem().uv && startFromMap(*mProblem.problem().uv, job))) {
+        const bool started = startFromMap(uv, job, returns) ||
+                             (mProblem.problem().uv && startFromMap(*mProblem.problem().uv, job));
+        if (job.stopped())
+            return; // the next time is like this one
+        mBack = nullptr;
+        if (!started) {
             mStage = Stage::Explore;
             return;
         }

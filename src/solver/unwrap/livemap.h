@@ -35,7 +35,7 @@ private:
     enum class Stage { Begin, Steer, Explore, Improve, Done };
     void takeOver(const LiveMapOptions &options);
     void updateProblem(const JobContext &job);
-    bool startFromMap(const UvMatrix &uv, const JobContext &job);
+    bool startFromMap(const UvMatrix &uv, const JobContext &job, bool given = false);
     void steerMap(const JobContext &job);
     void findFirst(const JobContext &job);
     std::optional<search::CutState> makeQuickMap(const JobContext &job);

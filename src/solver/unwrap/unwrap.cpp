@@ -198,9 +198,9 @@ Snapshot withFreeStacks(Snapshot snapshot)
     return snapshot;
 }
 
-//! The map before, where locks, pins or stacks hold some of it: beside that the rest is not to become worse
-//! than it was. Nothing where that cannot be compared, when the map before has to change, when a scope says
-//! what is to be mapped anew, and of a plain file.
+//! The map before, where some of it stays, by locks, pins, stacks or hidden faces: beside that the rest is
+//! not to become worse than it was. Nothing where that cannot be compared, when the map before has to change,
+//! when faces were chosen to be mapped anew, and of a plain file.
 class MapBesideTheRest
 {
 public:
@@ -208,7 +208,7 @@ public:
                      const UnwrapOptions &options, const JobContext &job)
         : mPart(part)
     {
-        if (part.isWhole() || snapshot.scope || !snapshot.uv || !snapshot.keepTiles || !plan.isEmpty() ||
+        if (part.isWhole() || isChosen(snapshot) || !snapshot.uv || !snapshot.keepTiles || !plan.isEmpty() ||
             options.lambda || !options.pack || snapshot.settings.seams == SeamMode::Only ||
             snapshot.settings.alike == AlikeMode::Stack ||
             !std::ranges::all_of(part.snapshot().steering->pins, &Pin::hard) ||
@@ -230,6 +230,8 @@ public:
     }
 
 private:
+    static bool isChosen(const Snapshot &snapshot) { return snapshot.scope && snapshot.scope->chosen; }
+
     const FreePart &mPart;
     std::shared_ptr<const Soup> mSoup;
     Snapshot mProblem;

@@ -52,8 +52,8 @@ struct UnwrapResult
     std::vector<IslandFlags> flags;
     bool packed = false;      //!< false when packing was not asked for or there is no room
     bool madeSmaller = false; //!< islands should keep their scale, and there was no room for them
-    //! Locks, pins or stacks hold some of the map, and no better one was found for the rest: uv is the map
-    //! before the job.
+    //! Some of the map stays, by locks, pins, stacks or hidden faces, and no better one was found for the
+    //! rest: uv is the map before the job.
     bool nothingGained = false;
     bool nothingFree = false; //!< locks or the scope leave nothing to change: uv is the map before the job
     UnmetSteering unmet;

@@ -41,7 +41,8 @@ MapInput limited(MapInput input, JobReach reach, const QList<int> &faces)
 {
     if (reach == JobReach::All)
         return input;
-    input.snapshot.scope = scopeOf(input.mesh(), faces, reach != JobReach::SelectionFree);
+    input.snapshot.scope =
+        scopeOf(input.mesh(), faces, reach != JobReach::SelectionFree, reach != JobReach::Shown);
     return input;
 }
 

@@ -89,9 +89,10 @@ JobContext contextOf(JobControl &control, double bound)
             }};
 }
 
-std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &faces, bool attached)
+std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &faces, bool attached,
+                                        bool chosen)
 {
-    JobScope scope{std::vector<bool>(mesh.faceCount(), false), attached};
+    JobScope scope{std::vector<bool>(mesh.faceCount(), false), attached, chosen};
     for (const int face : faces)
         scope.faces[face] = true;
     return std::make_shared<const JobScope>(std::move(scope));

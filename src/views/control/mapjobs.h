@@ -105,8 +105,9 @@ struct PackTarget
 //! stage
 JobContext contextOf(JobControl &control, double bound = std::numeric_limits<double>::infinity());
 
-//! The scope of a job that may change these faces only. \param attached see JobScope
-std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &faces, bool attached);
+//! The scope of a job that may change these faces only. \param attached see JobScope \param chosen the same
+std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &faces, bool attached,
+                                        bool chosen = true);
 
 //! Says what a map does not obey. \param items what to select
 QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, Selection &items);

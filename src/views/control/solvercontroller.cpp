@@ -127,6 +127,12 @@ void SolverController::cancelPulls()
     // Both changes are sent together: a solve without pulls could otherwise come to rest in the pulled
     // position.
     sendSnapshot(true);
+    // A pause must not find the pulled map.
+    if (mMapBeforePulls && mToken && mMapBeforePulls->token == *mToken) {
+        mDisplay.take(mMapBeforePulls);
+        showResult();
+        Q_EMIT statusChanged();
+    }
 }
 
 void SolverController::run()
