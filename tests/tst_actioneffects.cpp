@@ -1,4 +1,5 @@
 // What the actions of the menus do.
+#include "commands/changesettings.h"
 #include "commands/setuvs.h"
 #include "support/gridstudio.h"
 #include "support/patience.h"
@@ -168,12 +169,29 @@ private Q_SLOTS:
     void keysTakeOverFromTheBudget()
     {
         GridStudio studio;
+        QSignalSpy said(&studio.context.map, &MapController::done);
         studio.trigger("uv.budget");
         QCOMPARE(studio.solver.mode(), SolveMode::Budget);
         QVERIFY(studio.action("uv.budget")->isChecked());
         studio.trigger("uv.lambdaMore");
         QCOMPARE(studio.solver.mode(), SolveMode::Manual);
         QVERIFY(!studio.action("uv.budget")->isChecked());
+        QVERIFY(said.takeLast().at(0).toString().contains(QLatin1String("by hand now")));
+        studio.trigger("edit.undo");
+        QCOMPARE(studio.solver.mode(), SolveMode::Budget);
+        // Where nothing changes, neither does the mode.
+        SolveSettings lowest = studio.document().solveSettings();
+        lowest.lambda = 0;
+        pushCommand(std::make_unique<ChangeSettings>(studio.document(), lowest));
+        studio.trigger("uv.lambdaLess");
+        QCOMPARE(studio.solver.mode(), SolveMode::Budget);
+        QVERIFY(said.takeLast().at(0).toString().contains(QLatin1String("cannot go further")));
+        // A mode that was chosen stays.
+        studio.trigger("uv.deltaDouble");
+        studio.trigger("uv.budget");
+        studio.trigger("uv.budget");
+        studio.trigger("edit.undo");
+        QCOMPARE(studio.solver.mode(), SolveMode::Manual);
     }
 
     void choicesShowTheSettings()

@@ -34,6 +34,7 @@ private Q_SLOTS:
     void cagesComeFromFiles();
     void problemsAreSaid();
     void cancelEndsIt();
+    void foreignPicturesAreAskedAbout();
     void faultsAreSaid();
     void whatADamagedSessionLostIsSaid();
     void everyMapHasATitle();
@@ -265,6 +266,30 @@ void TestBakeDialog::cancelEndsIt()
     QTRY_COMPARE(session.failed.count(), 1);
     QVERIFY(session.failed.last().first().toString().contains(u"nothing was baked"_s));
     QVERIFY(!QFile::exists(session.file("low_ao.png")));
+    QVERIFY(session.context.view.options().pattern != Pattern::Physical);
+}
+
+//! Once per file: what a bake has written is replaced by the next one.
+void TestBakeDialog::foreignPicturesAreAskedAbout()
+{
+    BakeSession session;
+    QFile foreign(session.file("low_ao.png"));
+    QVERIFY(foreign.open(QIODevice::WriteOnly));
+    foreign.write("foreign");
+    foreign.close();
+    const auto bake = [&](bool confirms) {
+        session.answers->confirms = confirms;
+        session.bake([&](const DialogUser &user) { return user.bake(); });
+        QVERIFY(session.jobsRest());
+    };
+    bake(false);
+    QCOMPARE(session.answers->confirmations.size(), 1);
+    QCOMPARE(QFileInfo(foreign).size(), 7);
+    for (int i = 0; i < 2; ++i)
+        bake(true);
+    QCOMPARE(session.answers->confirmations.size(), 2);
+    QVERIFY(!QImage(foreign.fileName()).isNull());
+    QCOMPARE(session.document()->undoStack().undoText(), u"Bake"_s);
 }
 
 void TestBakeDialog::faultsAreSaid()

@@ -507,7 +507,7 @@ void TestCarry::theMapOfTextures()
     const UvMatrix second = document.uv();
     std::vector<TextureSet> sets = document.state().textureSets;
     sets[1][Channel::BaseColor].picture.file = at("b_BaseColor.png");
-    pushCommand(EditTextures::carried(document, sets));
+    pushCommand(std::make_unique<EditTextures>(document, sets, EditTextures::Origin::Carried));
     move(0.01);
     QVERIFY(*mapOfTextures(recorder.journal()) == second);
     // Another picture is for the same map as the others.

@@ -100,6 +100,10 @@ private Q_SLOTS:
         for (int i = 0; i < 2; ++i)
             sets.click("uvset.delete");
         QTRY_COMPARE(sets.list().count(), 1); // the last one stays
+        for (const char *id : {"uvset.delete", "uvset.next"}) {
+            QVERIFY(!studio.action(id)->isEnabled());
+            QVERIFY(studio.action(id)->toolTip().contains(u"only one UV set"_s));
+        }
         while (studio.document()->undoStack().canUndo())
             studio.document()->undoStack().undo();
         QVERIFY(sets.show({first}, 0));

@@ -26,9 +26,9 @@ std::size_t mostSets(const Document &document)
 
 } // namespace
 
-EditTextures::EditTextures(Document &document, std::vector<TextureSet> sets)
+EditTextures::EditTextures(Document &document, std::vector<TextureSet> sets, Origin origin)
     : DocumentCommand(document), mBefore(document.state().textureSets),
-      mAfter(withoutEmptyEnd(std::move(sets))), mIsFirst(!hasTextures(document.state()))
+      mAfter(withoutEmptyEnd(std::move(sets))), mOrigin(origin), mIsFirst(!hasTextures(document.state()))
 {
     if (!validateTextureSets(mAfter, mostSets(document)).isEmpty())
         mAfter = mBefore;
@@ -49,17 +49,12 @@ std::unique_ptr<EditTextures> EditTextures::ofMaterial(Document &document, int m
     return std::make_unique<EditTextures>(document, std::move(sets));
 }
 
-std::unique_ptr<EditTextures> EditTextures::carried(Document &document, std::vector<TextureSet> sets)
-{
-    auto command = std::make_unique<EditTextures>(document, std::move(sets));
-    command->mCarried = true;
-    return command;
-}
-
 QString EditTextures::label() const
 {
-    if (mCarried)
+    if (mOrigin == Origin::Carried)
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Carry textures over"));
+    if (mOrigin == Origin::Baked)
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Bake"));
     const int more = pictureCount(mAfter) - pictureCount(mBefore);
     if (mAfter.empty())
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all chosen textures"));
@@ -89,8 +84,8 @@ void EditTextures::clearPayload()
 void EditTextures::writePayload(QCborMap &map) const
 {
     map["sets"_L1] = autocuts::toCbor(mAfter);
-    if (mCarried)
-        map["carried"_L1] = true;
+    if (mOrigin != Origin::Chosen)
+        map[mOrigin == Origin::Carried ? "carried"_L1 : "baked"_L1] = true;
 }
 
 Result<std::unique_ptr<DocumentCommand>> EditTextures::fromCbor(Document &document, CborReader &reader)
@@ -98,9 +93,10 @@ Result<std::unique_ptr<DocumentCommand>> EditTextures::fromCbor(Document &docume
     const auto sets = readTextureSets(reader.array("sets"_L1), mostSets(document));
     if (reader.failed() || !sets)
         return damagedCommand();
-    return std::unique_ptr<DocumentCommand>(reader.contains("carried"_L1)
-                                                ? carried(document, *sets)
-                                                : std::make_unique<EditTextures>(document, *sets));
+    const Origin origin = reader.contains("carried"_L1) ? Origin::Carried
+                          : reader.contains("baked"_L1) ? Origin::Baked
+                                                        : Origin::Chosen;
+    return std::unique_ptr<DocumentCommand>(std::make_unique<EditTextures>(document, *sets, origin));
 }
 
 } // namespace autocuts

@@ -11,18 +11,19 @@ namespace autocuts {
 class EditTextures final : public DocumentCommand
 {
 public:
+    //! Where the new pictures come from. Those that are carried over or baked were made for the active map.
+    enum class Origin { Chosen, Carried, Baked };
+
     //! \param sets as DocumentState::textureSets; sets that are not valid change nothing. Contents are left
     //! out
-    EditTextures(Document &document, std::vector<TextureSet> sets);
+    EditTextures(Document &document, std::vector<TextureSet> sets, Origin origin = Origin::Chosen);
 
     //! Gives a material other pictures. \param material -1: the faces without one
     static std::unique_ptr<EditTextures> ofMaterial(Document &document, int material, TextureSet set);
 
-    //! The same for pictures that were made for the active map.
-    static std::unique_ptr<EditTextures> carried(Document &document, std::vector<TextureSet> sets);
     //! True when the pictures that it leaves are for the map that is active now: they were made for it, or
     //! there were none before.
-    bool fitsMap() const { return mCarried || mIsFirst; }
+    bool fitsMap() const { return mOrigin != Origin::Chosen || mIsFirst; }
 
     CommandId commandId() const override { return CommandId::EditTextures; }
     bool hasAnyChanges() const override { return mBefore != mAfter; }
@@ -38,7 +39,7 @@ protected:
 
 private:
     std::vector<TextureSet> mBefore, mAfter;
-    bool mCarried = false;
+    Origin mOrigin;
     bool mIsFirst = false; //!< there were no pictures before
 };
 

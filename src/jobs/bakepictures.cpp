@@ -195,6 +195,17 @@ Result<PreparedBake> prepareBake(const DocumentState &model, const PackingSettin
     return bake;
 }
 
+QStringList bakedFiles(const Scene &scene, const UvMatrix &uv, double tileHeight, const BakeChoice &choice)
+{
+    const std::vector<int> tiles = tilesToBake(*scene.mesh, uv, tileHeight).numbers;
+    QStringList files;
+    for (const QString &map : choice.maps) {
+        for (const int tile : tiles)
+            files << bakedPath(choice.folder, scene.path, map, tile, tiles.size() > 1, choice.suffix);
+    }
+    return files;
+}
+
 Result<MadePictures> bakePictures(const PictureInput &input, const BakeChoice &choice,
                                   const JobContext &context)
 {
@@ -213,11 +224,8 @@ Result<MadePictures> bakePictures(const PictureInput &input, const BakeChoice &c
     const auto pathOf = [&](const bake::MapRequest &map, int tile) {
         return bakedPath(choice.folder, scene.path, nameOf(map), tile, job.tiles.size() > 1, choice.suffix);
     };
-    QStringList pictures;
-    for (const bake::MapRequest &map : maps) {
-        for (const int tile : job.tiles)
-            pictures << pathOf(map, tile);
-    }
+    const QStringList pictures =
+        bakedFiles(scene, scene.uvSets.front().uv, input.packing.tileHeight(), choice);
     if (const Result<Done> fine =
             checkOutputs(pictures + input.alsoWritten, bake->read + filesToKeep(input, choice, pictures));
         !fine)

@@ -22,6 +22,9 @@ struct PreparedBake
 Result<PreparedBake> prepareBake(const DocumentState &model, const PackingSettings &packing,
                                  const BakeChoice &choice, const JobContext &context);
 
+//! The files that a bake writes, one for each map and tile. \param uv per corner, of the set to bake for
+QStringList bakedFiles(const Scene &scene, const UvMatrix &uv, double tileHeight, const BakeChoice &choice);
+
 //! After a stop, the files of finished pictures stay. With pictures of normals, occlusion or colours,
 //! MadePictures::textureSets has them, for whoever wants to put them on the model.
 Result<MadePictures> bakePictures(const PictureInput &input, const BakeChoice &choice,

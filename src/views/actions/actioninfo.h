@@ -17,7 +17,8 @@ enum ActionNeed {
     NeedsOverlaps = 1 << 9,      //!< the map was measured and has overlaps
     NeedsEdgesOrFaces = 1 << 10, //!< edges or faces are selected
     NeedsHidden = 1 << 11,       //!< faces are hidden
-    NeedsFile = 1 << 12          //!< the model came from a file
+    NeedsFile = 1 << 12,         //!< the model came from a file
+    NeedsSeveralSets = 1 << 13   //!< there are several UV sets
 };
 
 //! One action. Texts are English sources for tr() in the context "Actions".

@@ -33,7 +33,8 @@ constexpr std::pair<int, const char *> reasons[] = {
     {NeedsJob, QT_TRANSLATE_NOOP("Actions", "No job is running")},
     {NeedsOverlaps, QT_TRANSLATE_NOOP("Actions", "No overlaps are known")},
     {NeedsHidden, QT_TRANSLATE_NOOP("Actions", "Nothing is hidden")},
-    {NeedsFile, QT_TRANSLATE_NOOP("Actions", "The model is from no file: re-link it to one")}};
+    {NeedsFile, QT_TRANSLATE_NOOP("Actions", "The model is from no file: re-link it to one")},
+    {NeedsSeveralSets, QT_TRANSLATE_NOOP("Actions", "There is only one UV set: make another one first")}};
 
 QString toolTip(const ActionInfo &info, const QKeySequence &keys, const QString &why)
 {

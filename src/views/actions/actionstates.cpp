@@ -52,6 +52,7 @@ int ActionStates::met() const
     add(!selection.edges.isEmpty() || !selection.faces.isEmpty(), NeedsEdgesOrFaces);
     add(!document->hidden().empty(), NeedsHidden);
     add(QFileInfo(document->state().scene.path).isAbsolute(), NeedsFile);
+    add(document->uvSets().size() > 1, NeedsSeveralSets);
     // A running solve can be undone: pausing first makes it an entry.
     add(document->undoStack().canUndoFurther() || solver.isRunning() || solver.isPausing(), NeedsUndo);
     add(document->undoStack().canRedo(), NeedsRedo);

@@ -400,11 +400,11 @@ constexpr std::array toolTable{
                NeedsDocument | NeedsIdle},
     ActionInfo{"uvset.delete", "UV/Sets", QT_TRANSLATE_NOOP("Actions", "&Delete UV set"), "cancel", "",
                QT_TRANSLATE_NOOP("Actions", "Delete the chosen UV set; the last one stays"),
-               NeedsDocument | NeedsIdle},
+               NeedsDocument | NeedsIdle | NeedsSeveralSets},
     ActionInfo{"uvset.next", "UV/Sets", QT_TRANSLATE_NOOP("Actions", "Choose the n&ext UV set"), "",
                "Ctrl+Alt+V",
                QT_TRANSLATE_NOOP("Actions", "Work on the next UV set, after the last one on the first"),
-               NeedsDocument | NeedsIdle},
+               NeedsDocument | NeedsIdle | NeedsSeveralSets},
     ActionInfo{"uv.transfer", "UV", QT_TRANSLATE_NOOP("Actions", "Transfer UVs from..."), "set-copy", "",
                QT_TRANSLATE_NOOP("Actions", "Bring the UVs of another file, UV set or object onto the model, "
                                             "also of another resolution"),

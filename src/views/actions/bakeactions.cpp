@@ -35,6 +35,7 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
             askLight(*document);
     });
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mHasLight = false; });
+    connect(&context.map, &MapController::picturesBaked, this, [this] { show(Pattern::Physical); });
     for (const auto signal : {&LiveBake::failed, &LiveBake::noticed})
         connect(&context.liveBake, signal, &context.map,
                 [map = &context.map](const QString &message) { Q_EMIT map->failed(message); });
@@ -57,6 +58,7 @@ void BakeActions::ask(const Document &document)
     if (!isFolder(first.folder))
         first.folder = proposedFolder(mContext.workspace, mContext.preferences);
     BakeDialog dialog(document, first, openFilters(), mQuestions);
+    dialog.setReplaceable(mBaked);
     const int answer = mQuestions.run(dialog);
     if (answer == QDialog::Rejected)
         return;
@@ -65,8 +67,8 @@ void BakeActions::ask(const Document &document)
         showLive();
         return;
     }
-    if (mChoice.isPutOn())
-        show(Pattern::Physical);
+    mBaked += dialog.files();
+    mBaked.removeDuplicates();
     mContext.map.bake(mChoice);
 }
 

@@ -41,7 +41,11 @@ UvActions::UvActions(const StudioContext &context, QObject *parent) : QObject(pa
     connectJobs();
     connectSteering();
     connect(&context.solver, &SolverController::stateChanged, this, &UvActions::showState);
-    connect(&context.workspace, &Workspace::documentReplaced, this, &UvActions::showState);
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
+        mAutomaticUntil.reset();
+        showState();
+    });
+    connect(&context.workspace, &Workspace::historyChanged, this, &UvActions::takeUpHistory);
     connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
         if (event.type == ChangeEvent::Type::SolveSettings)
             showState();
@@ -81,7 +85,8 @@ void UvActions::connectSolver()
     onTriggered("uv.lambdaMore", [this] { changeLambda(lambdaStep); });
     onTriggered("uv.deltaDouble", [this] { changeDelta(2); });
     onTriggered("uv.deltaHalve", [this] { changeDelta(0.5); });
-    connect(mContext.actions.action("uv.budget"), &QAction::triggered, this, [&solver](bool checked) {
+    connect(mContext.actions.action("uv.budget"), &QAction::triggered, this, [this, &solver](bool checked) {
+        mAutomaticUntil.reset();
         solver.setMode(checked ? homotopy::SolveMode::Budget : homotopy::SolveMode::Manual);
     });
     connect(mContext.actions.action("uv.soup"), &QAction::triggered, this,
@@ -157,16 +162,13 @@ void UvActions::connectSteering()
 }
 
 //! When the solver has chosen lambda and delta, the user continues from its values.
-SolveSettings UvActions::settingsInEffect()
+SolveSettings UvActions::settingsInEffect() const
 {
     SolveSettings settings = mContext.workspace.document()->solveSettings();
-    SolverController &solver = mContext.solver;
-    if (solver.mode() == homotopy::SolveMode::Budget) {
-        if (solver.status().iteration > 0) {
-            settings.lambda = solver.status().lambda;
-            settings.delta = solver.status().delta;
-        }
-        solver.setMode(homotopy::SolveMode::Manual);
+    const SolverController &solver = mContext.solver;
+    if (solver.mode() == homotopy::SolveMode::Budget && solver.status().iteration > 0) {
+        settings.lambda = solver.status().lambda;
+        settings.delta = solver.status().delta;
     }
     return settings;
 }
@@ -175,15 +177,49 @@ void UvActions::changeLambda(double change)
 {
     SolveSettings settings = settingsInEffect();
     // Rounded, so that equally many steps up and down give the original value.
-    settings.lambda = std::clamp(std::round((settings.lambda + change) * 1e9) / 1e9, 0.0, 1.0);
-    pushTyped(settings);
+    const double lambda = std::clamp(std::round((settings.lambda + change) * 1e9) / 1e9, 0.0, 1.0);
+    if (lambda == settings.lambda) {
+        Q_EMIT mContext.map.done(tr("Lambda is %1 already and cannot go further").arg(lambda));
+        return;
+    }
+    settings.lambda = lambda;
+    setByHand(settings);
 }
 
 void UvActions::changeDelta(double factor)
 {
     SolveSettings settings = settingsInEffect();
-    settings.delta = std::clamp(settings.delta * factor, minDelta, maxDelta);
+    const double delta = std::clamp(settings.delta * factor, minDelta, maxDelta);
+    if (delta == settings.delta) {
+        Q_EMIT mContext.map.done(tr("Delta is %1 already and cannot go further").arg(delta));
+        return;
+    }
+    settings.delta = delta;
+    setByHand(settings);
+}
+
+//! Ends the choice by the solver. Undo brings it back.
+void UvActions::setByHand(const SolveSettings &settings)
+{
+    const bool automatic = mContext.solver.mode() == homotopy::SolveMode::Budget;
+    mContext.solver.setMode(homotopy::SolveMode::Manual);
     pushTyped(settings);
+    if (!automatic)
+        return;
+    mAutomaticUntil = mTypedIndex - 1;
+    const QAction *budget = mContext.actions.action("uv.budget");
+    Q_EMIT mContext.map.done(
+        tr("Lambda and delta are set by hand now: undo, or %1 (%2), leaves them to the solver")
+            .arg(budget->iconText(), budget->shortcut().toString(QKeySequence::NativeText)));
+}
+
+void UvActions::takeUpHistory()
+{
+    const Document *document = mContext.workspace.document();
+    if (!document || !mAutomaticUntil || document->undoStack().index() > *mAutomaticUntil)
+        return;
+    mAutomaticUntil.reset();
+    mContext.solver.setMode(homotopy::SolveMode::Budget);
 }
 
 //! Presses in quick succession become one entry.

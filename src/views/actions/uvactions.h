@@ -9,6 +9,8 @@
 #include <QObject>
 #include <QTimer>
 
+#include <optional>
+
 namespace autocuts {
 
 //! Connects the UV menu to the live solver, the jobs on whole maps and the steering commands.
@@ -34,7 +36,9 @@ private:
 
     void changeLambda(double change);
     void changeDelta(double factor);
-    SolveSettings settingsInEffect();
+    SolveSettings settingsInEffect() const;
+    void setByHand(const SolveSettings &settings);
+    void takeUpHistory();
     void pushTyped(const SolveSettings &settings);
     void keepStraight(bool on);
     void setSeams(SetSeamState::Edit edit, const QList<int> &edges);
@@ -47,6 +51,9 @@ private:
     QTimer mTyping; //!< runs while repeated presses of a key belong to one entry
     quint64 mTypedGesture = 0;
     int mTypedIndex = -1; //!< index of the undo stack after the last press
+    //! Index of the undo stack at which lambda and delta were left to the solver, before a press of a key;
+    //! empty: they were not, or the user has chosen the mode since.
+    std::optional<int> mAutomaticUntil;
 };
 
 } // namespace autocuts

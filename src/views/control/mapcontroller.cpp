@@ -221,7 +221,12 @@ bool MapController::pushTextures(const MapJobResult &result)
                "shown"));
         return false;
     }
-    pushCommand(EditTextures::carried(document, result.textures->sets));
+    const bool baked = result.textures->baked;
+    pushCommand(
+        std::make_unique<EditTextures>(document, result.textures->sets,
+                                       baked ? EditTextures::Origin::Baked : EditTextures::Origin::Carried));
+    if (baked)
+        Q_EMIT picturesBaked();
     return true;
 }
 

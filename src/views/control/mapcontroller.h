@@ -139,6 +139,8 @@ Q_SIGNALS:
     void figuresChanged();
     //! seamPrices() changed.
     void pricesChanged();
+    //! The model has textures that were baked.
+    void picturesBaked();
     //! A job succeeded. \param message translated, one line, for the status bar
     void done(const QString &message);
     //! A job failed, or could not do all that it was asked for.

@@ -70,6 +70,7 @@ struct MapSeamEdit
 struct MadeTextures
 {
     std::vector<TextureSet> before, sets;
+    bool baked = false; //!< false: carried over
 };
 
 //! The result of a job.

@@ -83,7 +83,7 @@ MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const jo
     MapJobResult result =
         resultOf(JobTexts::tr("Baked %n pictures into %1", nullptr, count).arg(folder), ended, made.value());
     if (choice.isPutOn())
-        result.textures = MadeTextures{model.textureSets, made->textureSets};
+        result.textures = MadeTextures{model.textureSets, made->textureSets, true};
     return result;
 }
 

@@ -72,7 +72,8 @@ QDoubleSpinBox *makePercent(double low, double high, double value, const QString
 
 BakeDialog::BakeDialog(const Document &document, const jobs::BakeChoice &last, const QStringList &filters,
                        Questions &questions)
-    : QDialog(questions.window()), mModel(document.state()), mHasUv(document.uv().array().isFinite().any()),
+    : QDialog(questions.window()), mModel(document.state()), mUv(document.uv()),
+      mTileHeight(document.packingSettings().tileHeight()), mHasUv(mUv.array().isFinite().any()),
       mTextureSize(document.packingSettings().textureSize), mQuestions(questions), mFilters(filters),
       mMaps(named("maps", new QListWidget)), mCageNote(named("cageNote", new QLabel)),
       mProblem(named("problem", new QLabel)), mOwnCage(last.ownCage)
@@ -413,6 +414,20 @@ QString BakeDialog::targetProblem() const
     if (choice().folder.isEmpty() || !folder.isDir())
         return tr("Choose a folder for the pictures.");
     return folder.isWritable() ? QString() : tr("The folder cannot be written.");
+}
+
+QStringList BakeDialog::files() const
+{
+    return jobs::bakedFiles(mModel.scene, mUv, mTileHeight, choice());
+}
+
+void BakeDialog::accept()
+{
+    QStringList existing = files();
+    existing.removeIf(
+        [this](const QString &file) { return mReplaceable.contains(file) || !QFileInfo::exists(file); });
+    if (mQuestions.confirmReplacing(existing))
+        QDialog::accept();
 }
 
 jobs::BakeChoice BakeDialog::choice() const

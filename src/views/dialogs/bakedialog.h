@@ -39,6 +39,12 @@ public:
     ~BakeDialog() override;
 
     jobs::BakeChoice choice() const;
+    //! The pictures that the choice makes.
+    QStringList files() const;
+    //! These files are replaced without a question.
+    void setReplaceable(const QStringList &files) { mReplaceable = files; }
+
+    void accept() override;
 
 private:
     QWidget *makeModels(const jobs::BakeChoice &last);
@@ -59,6 +65,8 @@ private:
     QString targetProblem() const;
 
     DocumentState mModel;
+    UvMatrix mUv;
+    double mTileHeight;
     bool mHasUv;
     int mTextureSize; //!< of the document
     Questions &mQuestions;
@@ -71,8 +79,9 @@ private:
     QCheckBox *mByName, *mGreenDown, *mPutOn;
     QLabel *mCageNote, *mProblem;
     QPushButton *mPropose, *mBake, *mLive;
-    bool mOwnCage;                                 //!< the user has typed it
-    QString mMeasured;                             //!< the detailed model whose cage is shown; empty: none
+    bool mOwnCage;     //!< the user has typed it
+    QString mMeasured; //!< the detailed model whose cage is shown; empty: none
+    QStringList mReplaceable;
     QString mNotMeasured;                          //!< why no cage is proposed
     std::shared_ptr<std::atomic<bool>> mMeasuring; //!< ends it; null: nothing is measured
 };

@@ -28,8 +28,6 @@ using From = jobs::CarryChoice::From;
 
 namespace {
 
-//! Files that are named in a question; more are only counted.
-constexpr qsizetype mostNamed = 8;
 constexpr int mostRowsShown = 8;
 
 QWidget *pathRow(QLineEdit *edit, QPushButton *browse)
@@ -294,20 +292,8 @@ QString CarryDialog::targetProblem(const jobs::CarryPlan &plan) const
 
 void CarryDialog::accept()
 {
-    QStringList names;
-    for (const QString &file : plan().existingFiles())
-        names << QFileInfo(file).fileName();
-    if (!names.isEmpty()) {
-        const qsizetype more = names.size() - mostNamed;
-        QString listed = names.mid(0, mostNamed).join(u'\n');
-        if (more > 0)
-            listed += u'\n' + tr("and %1 more").arg(more);
-        const QString question = tr("Replace %n pictures? Undo does not bring them back.", nullptr,
-                                    static_cast<int>(names.size()));
-        if (!mQuestions.confirm(question, listed, tr("Replace")))
-            return;
-    }
-    QDialog::accept();
+    if (mQuestions.confirmReplacing(plan().existingFiles()))
+        QDialog::accept();
 }
 
 jobs::CarryChoice CarryDialog::choice() const

@@ -15,6 +15,8 @@ namespace autocuts {
 
 namespace {
 
+constexpr qsizetype mostNamed = 8; // files that are named in a question; more are only counted
+
 //! The suffix that is added to a name without one: "*.obj" of the filter "Wavefront OBJ (*.obj)".
 QString firstSuffix(const QString &filter)
 {
@@ -113,6 +115,20 @@ bool Questions::confirm(const QString &question, const QString &detail, const QS
     box.setDefaultButton(cancel);
     run(box);
     return box.clickedButton() == yes;
+}
+
+bool Questions::confirmReplacing(const QStringList &files)
+{
+    if (files.isEmpty())
+        return true;
+    QStringList names;
+    for (const QString &file : files.mid(0, mostNamed))
+        names << QFileInfo(file).fileName();
+    if (const qsizetype more = files.size() - mostNamed; more > 0)
+        names << tr("and %1 more").arg(more);
+    return confirm(
+        tr("Replace %n pictures? Undo does not bring them back.", nullptr, static_cast<int>(files.size())),
+        names.join(u'\n'), tr("Replace"));
 }
 
 QString Questions::fileToOpen(const QString &title, const QString &folder, const QStringList &filters)

@@ -39,6 +39,8 @@ public:
     virtual Hidden askHidden(qsizetype hidden);
     //! \returns true for the button with the text `action`, false for Cancel
     virtual bool confirm(const QString &question, const QString &detail, const QString &action);
+    //! Asks before pictures are replaced. \param files paths \returns true as well where there are none
+    bool confirmReplacing(const QStringList &files);
     //! \param filters as for QFileDialog
     //! \returns an empty string when the user cancelled
     virtual QString fileToOpen(const QString &title, const QString &folder, const QStringList &filters);
