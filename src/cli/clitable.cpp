@@ -214,8 +214,8 @@ CliOption densityOption()
     return number(
         Group::Tiling, u"--density"_s, u"X"_s, fieldOf(&CliOptions::density), 1e-9, 1e12,
         u"give all islands this texel density, in texels per unit of the model, and pack them into as many "
-        "UDIM tiles as that needs, from --tile on; an island that is larger than a tile gets one of its own, "
-        "in which it is smaller"_s);
+        "UDIM tiles as that needs, from --tile on; an island that is larger than a tile is made smaller to "
+        "fit"_s);
 }
 
 CliOption separatingOption()

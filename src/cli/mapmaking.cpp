@@ -192,8 +192,8 @@ Result<Done> MapMaking::distribute(const ChartMap &charts, const unwrap::PackJob
                       .arg(packed.packed)
                       .arg(tilesInWords(packed.tiles));
     if (packed.tooLarge > 0)
-        made.warnings << QStringLiteral("islands larger than a tile at this density: %1; each has a tile of "
-                                        "its own, in which it is smaller")
+        made.warnings << QStringLiteral(
+                             "islands larger than a tile at this density, and made smaller to fit: %1")
                              .arg(packed.tooLarge);
     setUv(scene, packed.uv);
     return Done{};

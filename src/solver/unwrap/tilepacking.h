@@ -28,7 +28,7 @@ struct TilePackingResult
     UvMatrix uv;            //!< without rows unless it is done
     std::vector<int> tiles; //!< into which islands were packed, ascending
     int packed = 0;         //!< islands; a stack or a group counts as one
-    int tooLarge = 0; //!< of these, that are larger than a tile: each has its own, in which it is smaller
+    int tooLarge = 0;       //!< of these, that are larger than a tile and are made smaller to fit
 };
 
 //! How the free room of the tiles in use is filled: those with islands that stay, then new ones behind them.

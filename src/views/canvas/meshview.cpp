@@ -225,7 +225,7 @@ void MeshView::drawOverlay(QPainter &painter)
     const ViewColors &colors = content().colors();
     if (!content().mesh()) {
         drawMessage(painter, rect(), colors, tr("Open a model"),
-                    {tr("Press Ctrl+O, drop a file here,"), tr("or choose File > Open sample")});
+                    {tr("Drop a file here, or choose File > Open")});
         return;
     }
     drawAxisGizmo(painter, rect(), colors, mCamera, mHoveredAxis);

@@ -321,7 +321,7 @@ void UvView::drawOverlay(QPainter &painter)
                         {tr("The map appears here as soon as there is one")});
         else
             drawMessage(painter, rect(), colors, tr("No UVs yet"),
-                        {tr("Press U to unwrap, or Space to solve live")});
+                        mEmptyHint ? QStringList{mEmptyHint()} : QStringList());
     }
     if (options.rulers)
         drawRulers(painter, rect(), colors, mCamera, texture.textureSize);

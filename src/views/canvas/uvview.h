@@ -7,6 +7,7 @@
 #include "views/canvas/mapcamera.h"
 
 #include <QTimer>
+#include <functional>
 
 namespace autocuts {
 
@@ -33,6 +34,8 @@ public:
     void frameSelection() override;
     QCborMap viewState() const override;
     void restoreViewState(const QCborMap &state) override;
+    //! Gives the line that is shown while there is no map, translated.
+    void setEmptyHint(std::function<QString()> hint) { mEmptyHint = std::move(hint); }
 
 protected:
     void drawScene(GlResources &gl) override;
@@ -55,6 +58,7 @@ private:
     //! What the rulers cover.
     QMarginsF covered() const;
 
+    std::function<QString()> mEmptyHint;
     MapCamera mCamera;
     QTimer mDrawSoon;       //!< goes on with the picture
     bool mFramesAll = true; //!< shows everything, also when its size changes, until the camera is moved

@@ -347,11 +347,9 @@ MapJobResult distribute(const MapInput &input, const ChartMap &charts, const unw
     result.message =
         JobTexts::tr("Islands packed: %1, into the tiles %2").arg(packed.packed).arg(numbers.join(u", "_s));
     if (packed.tooLarge > 0)
-        result.problem =
-            JobTexts::tr("%1. Larger than a tile at this density: %2; each has a tile of its own, in "
-                         "which it is smaller")
-                .arg(result.message)
-                .arg(packed.tooLarge);
+        result.problem = JobTexts::tr("%1. Larger than a tile at this density, and made smaller to fit: %2")
+                             .arg(result.message)
+                             .arg(packed.tooLarge);
     return result;
 }
 
