@@ -20,6 +20,7 @@ class TestFreePart : public QObject
 private Q_SLOTS:
     void pinnedIslandsStay_data();
     void pinnedIslandsStay();
+    void whatStaysTakesFromTheBound();
     void theRestIsNotMadeWorse_data();
     void theRestIsNotMadeWorse();
 };
@@ -76,6 +77,37 @@ void TestFreePart::pinnedIslandsStay()
     const UnwrapResult result = unwrapMesh(snapshot, {});
     QVERIFY(result.nothingFree);
     QVERIFY(result.uv == uv);
+}
+
+//! The mean of the whole map keeps to the bound, where it did before.
+void TestFreePart::whatStaysTakesFromTheBound()
+{
+    Snapshot snapshot;
+    snapshot.mesh = test::grid(4);
+    const MeshData &mesh = *snapshot.mesh;
+    JobScope scope{std::vector<bool>(mesh.faceCount()), true, true};
+    UvMatrix uv(mesh.cornerCount(), 2);
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        double right = 0;
+        for (const int s : mesh.soupCornersOf(face))
+            right += mesh.cornerPosition(mesh.cornerOfSoup(s)).x() - mesh.positions.col(0).mean();
+        scope.faces[face] = right < 0;
+        for (const int s : mesh.soupCornersOf(face)) {
+            const int c = mesh.cornerOfSoup(s);
+            uv.row(c) = mesh.cornerPosition(c).head<2>();
+            if (right > 0) // stretched, of the same area
+                uv.row(c) = UvMatrix(uv.row(c)).cwiseProduct(Eigen::RowVector2d(1.25, 0.8)) +
+                            Eigen::RowVector2d(10, 0);
+        }
+    }
+    snapshot.uv = std::make_shared<const UvMatrix>(uv);
+    snapshot.uvScale = layoutScale(mesh, uv);
+    snapshot.scope = std::make_shared<const JobScope>(scope);
+    const std::optional<FreePart> part = FreePart::of(snapshot);
+    const double stays = 2 * (1.25 * 1.25 + 0.8 * 0.8);
+    QVERIFY(std::abs(part->boundBeside(4.3) - (4.3 - (stays - 4.3))) < 1e-9);
+    QCOMPARE(part->boundBeside(stays + 0.1), stays + 0.1); // stretched less than the bound
+    QCOMPARE(part->boundBeside(4.1), 4.1);                 // the map before misses it anyway
 }
 
 void TestFreePart::theRestIsNotMadeWorse_data()

@@ -274,15 +274,17 @@ void straighten(const std::shared_ptr<const Soup> &soup, const Snapshot &snapsho
 
 } // namespace
 
-FinishResult finishMap(const FinishInput &input, const JobContext &job)
+FinishResult finishMap(const FinishInput &asked, const JobContext &job)
 {
     FinishResult result;
-    const std::optional<FreePart> part = FreePart::of(input.snapshot);
+    const std::optional<FreePart> part = FreePart::of(asked.snapshot);
     if (!part) {
         result.nothingFree = true;
-        result.uv = *input.snapshot.uv;
+        result.uv = *asked.snapshot.uv;
         return result;
     }
+    FinishInput input = asked;
+    input.maxDistortion = part->boundBeside(asked.maxDistortion);
     const Snapshot own = part->withoutRectangles();
     const std::shared_ptr<const Soup> soup = Soup::build(own.mesh);
     const auto plan = straight::StraightPlan::of(part->snapshot());

@@ -18,6 +18,7 @@ bool isFree(const IslandFlags &flags)
     return flags.locked == 0 && flags.stack == 0 && flags.group == 0;
 }
 
+constexpr double leastBound = 4.0001;   // that a search may be given. Chosen by hand
 constexpr double sameDistortion = 1e-9; // what a map may differ by that is measured again; by hand
 constexpr double atPin = 1e-7; // distance from a pin, in texture space, of a corner that is at it; by hand
 
@@ -101,11 +102,12 @@ std::optional<FreePart> FreePart::of(const Snapshot &snapshot, const FreePart *p
         part.addSteering(snapshot);
         part.addBorders(snapshot, faces);
         part.addObstacles(snapshot, faces);
-        if (same)
+        if (same) {
             part.mDistortionBefore = previous->mDistortionBefore;
-        else if (snapshot.uv)
-            part.mDistortionBefore =
-                metrics::measureShapes(*snapshot.mesh, *snapshot.uv, snapshot.tileHeight).tileDirichlet;
+            part.mDistortionOfRest = previous->mDistortionOfRest;
+        } else if (snapshot.uv) {
+            part.measureBefore();
+        }
     }
     part.cutImpliedSeams();
     part.decideGivenSeams();
@@ -249,6 +251,27 @@ void FreePart::addObstacles(const Snapshot &whole, const std::vector<bool> &face
     std::erase_if(obstacles, [](const Obstacle &o) { return !o.isOpen[0] && !o.isOpen[1] && !o.isOpen[2]; });
     if (!obstacles.empty())
         mSnapshot.obstacles = std::make_shared<const std::vector<Obstacle>>(std::move(obstacles));
+}
+
+void FreePart::measureBefore()
+{
+    const UvMatrix &uv = *mWhole.uv;
+    mDistortionBefore = metrics::measureShapes(*mWhole.mesh, uv, mWhole.tileHeight).tileDirichlet;
+    std::vector<bool> stays = mFaces;
+    stays.flip();
+    const MeshPart rest = partOf(*mWhole.mesh, stays);
+    UvMatrix restUv(rest.mesh->cornerCount(), 2);
+    for (int c = 0; c < rest.mesh->cornerCount(); ++c)
+        restUv.row(c) = uv.row(rest.corner[c]);
+    mDistortionOfRest = metrics::measureShapes(*rest.mesh, restUv, mWhole.tileHeight).tileDirichlet;
+}
+
+double FreePart::boundBeside(double maxDistortion) const
+{
+    if (!(mDistortionBefore <= maxDistortion + sameDistortion) || !(mDistortionOfRest > maxDistortion))
+        return maxDistortion;
+    const double area = mPart.mesh->area, rest = mWhole.mesh->area - area;
+    return std::max(maxDistortion - rest / area * (mDistortionOfRest - maxDistortion), leastBound);
 }
 
 double FreePart::boundOf(double maxDistortion, double before) const

@@ -59,6 +59,9 @@ public:
     std::vector<float> wholePairs(const std::vector<float> &pairs) const;
     //! Length in solver units of the part per length in those of the whole mesh.
     double unit() const { return mUnit; }
+    //! The bound for what may change: lower than that of the user where what stays is stretched more, so that
+    //! the mean of the whole map keeps to it as it did before.
+    double boundBeside(double maxDistortion) const;
     //! The bound by which the part of the map before is compared with others. That of the user is for the
     //! mean of the whole map: where that keeps to it, its part does, however much it is stretched. \param
     //! before distortion that counts for the bound of the part in the map before
@@ -68,6 +71,7 @@ private:
     void addBorders(const Snapshot &whole, const std::vector<bool> &faces);
     void addSteering(const Snapshot &whole);
     void addObstacles(const Snapshot &whole, const std::vector<bool> &faces);
+    void measureBefore();
     void cutImpliedSeams();
     void decideGivenSeams();
 
@@ -78,6 +82,8 @@ private:
     double mUnit = 1;
     //! Mean distortion of the whole map before; infinite where it has none, and of a part that is the whole.
     double mDistortionBefore = std::numeric_limits<double>::infinity();
+    //! The same of what stays, at a scale of its own.
+    double mDistortionOfRest = std::numeric_limits<double>::infinity();
     //! A corner of the part that is the same UV vertex as a corner of a face outside of it.
     struct Attachment
     {

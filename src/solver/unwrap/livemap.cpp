@@ -95,6 +95,7 @@ void LiveMap::steer(std::shared_ptr<const Snapshot> snapshot, const LiveMapOptio
 void LiveMap::takeOver(const LiveMapOptions &options)
 {
     mOptions = options;
+    mMaxDistortion = options.maxDistortion;
     mBest.setOptions(options);
     mBest.setToken(mSnapshot->token);
 }
@@ -131,6 +132,8 @@ void LiveMap::updateProblem(const JobContext &job)
 {
     if (!mProblem.update(mSnapshot, job.threads()))
         mBest.forgetBest();
+    mOptions.maxDistortion = mProblem.part().boundBeside(mMaxDistortion);
+    mBest.setOptions(mOptions);
     mBest.forgetWaiting();
     mIdleRounds = 0;
     mBegunAnew = false;

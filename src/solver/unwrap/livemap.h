@@ -51,6 +51,7 @@ private:
 
     std::shared_ptr<const Snapshot> mSnapshot; //!< the newest one
     LiveMapOptions mOptions;
+    double mMaxDistortion = 0;                  //!< as given; that of mOptions is FreePart::boundBeside()
     std::shared_ptr<const LiveMapResult> mBack; //!< the map to return to
     bool mFromMap = false;                      //!< it began with the map of the snapshot
     bool mPulled = false;                       //!< the user drags the map

@@ -248,9 +248,9 @@ void checkOptions(const UnwrapOptions &options)
 
 } // namespace
 
-UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, const JobContext &caller)
+UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &asked, const JobContext &caller)
 {
-    checkOptions(options);
+    checkOptions(asked);
     const Snapshot snapshot = withFreeStacks(given);
     UnwrapResult result;
     const std::optional<FreePart> part = FreePart::of(snapshot);
@@ -259,6 +259,8 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, con
         result.uv = snapshot.uv ? *snapshot.uv : emptyLayout(*snapshot.mesh);
         return result;
     }
+    UnwrapOptions options = asked;
+    options.maxDistortion = part->boundBeside(asked.maxDistortion);
     // The search knows nothing of seams that no map can close.
     const double alwaysOpen = windingSeamLength(*part->snapshot().mesh);
     const JobContext::Sink withAll = [&](JobProgress progress) {
