@@ -155,6 +155,13 @@ void TestFreePart::theRestIsNotMadeWorse()
     // A plain file gets what the search finds.
     snapshot.keepTiles = false;
     QVERIFY(!unwrapMesh(snapshot, options).nothingGained);
+    // The length that is said on the way is that of the whole map.
+    const std::optional<FreePart> part = FreePart::of(snapshot);
+    const std::shared_ptr<const Soup> soup = Soup::build(part->snapshot().mesh);
+    const std::optional<SeamedMap> own =
+        seamedMapOf(*soup, part->partUv(first.uv), CutFlags(soup->mesh->edgePairs.size(), false));
+    QVERIFY(std::abs(own->seamLength(*soup) / part->unit() + part->seamLengthOfRest() - seams(first.uv)) <
+            1e-9);
 }
 
 QTEST_GUILESS_MAIN(TestFreePart)

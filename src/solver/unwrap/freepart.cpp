@@ -4,10 +4,12 @@
 #include "model/plain/unionfind.h"
 #include "model/plain/uvlayout.h"
 #include "model/plain/uvseams.h"
+#include "solver/base/seamedmap.h"
 #include "solver/metrics/uvmetrics.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace autocuts::unwrap {
 
@@ -251,6 +253,22 @@ void FreePart::addObstacles(const Snapshot &whole, const std::vector<bool> &face
     std::erase_if(obstacles, [](const Obstacle &o) { return !o.isOpen[0] && !o.isOpen[1] && !o.isOpen[2]; });
     if (!obstacles.empty())
         mSnapshot.obstacles = std::make_shared<const std::vector<Obstacle>>(std::move(obstacles));
+}
+
+double FreePart::seamLengthOfRest() const
+{
+    const MeshData &mesh = *mWhole.mesh;
+    if (isWhole() || !mWhole.uv)
+        return 0;
+    const std::vector<bool> open = openCornerPairs(mesh, *mWhole.uv);
+    double length = 0;
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const auto [a, b] = mesh.edgePairs[e].triangle;
+        const bool changes = mFaces[mesh.triangleFace[a]] && mFaces[mesh.triangleFace[b]];
+        length += !changes && (open[2 * e] || open[2 * e + 1]) ? mesh.edgePairs[e].length : 0;
+    }
+    return length / std::sqrt(mesh.area / std::numbers::pi) + windingSeamLength(mesh) -
+           windingSeamLength(*mPart.mesh) / mUnit;
 }
 
 void FreePart::measureBefore()

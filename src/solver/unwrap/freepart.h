@@ -59,6 +59,8 @@ public:
     std::vector<float> wholePairs(const std::vector<float> &pairs) const;
     //! Length in solver units of the part per length in those of the whole mesh.
     double unit() const { return mUnit; }
+    //! Length of the seams of the map before that the job does not change, in solver units of the whole mesh.
+    double seamLengthOfRest() const;
     //! The bound for what may change: lower than that of the user where what stays is stretched more, so that
     //! the mean of the whole map keeps to it as it did before.
     double boundBeside(double maxDistortion) const;

@@ -263,9 +263,10 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &asked, const
     options.maxDistortion = part->boundBeside(asked.maxDistortion);
     // The search knows nothing of seams that no map can close.
     const double alwaysOpen = windingSeamLength(*part->snapshot().mesh);
+    const double ofRest = part->seamLengthOfRest();
     const JobContext::Sink withAll = [&](JobProgress progress) {
         if (progress.seamLength > 0)
-            progress.seamLength += alwaysOpen;
+            progress.seamLength = (progress.seamLength + alwaysOpen) / part->unit() + ofRest;
         caller.report(progress);
     };
     const JobContext job = caller.reports() ? caller.watchedBy(withAll) : caller;

@@ -312,12 +312,12 @@ void UvView::drawOverlay(QPainter &painter)
     if (document && options.steering)
         drawRectangles(painter, document->constraints().rectangles, mCamera);
     if (document && content().uvBox().isEmpty()) {
-        const JobRunner &jobs = studio().map.jobs();
+        MapController &map = studio().map;
         if (hidesUvs(*document))
             drawMessage(painter, rect(), colors, tr("All of the map is hidden"),
                         {tr("View > Show all hidden brings it back")});
-        else if (jobs.isBusy())
-            drawMessage(painter, rect(), colors, jobs.title(),
+        else if (map.makesMap())
+            drawMessage(painter, rect(), colors, map.jobs().title(),
                         {tr("The map appears here as soon as there is one")});
         else
             drawMessage(painter, rect(), colors, tr("No UVs yet"),

@@ -56,6 +56,8 @@ public:
     JobRunner &jobs() { return mJobs; }
     //! True while the views show the best map of the running job instead of the document's.
     bool isPreviewing() const { return mPreview.isShown(); }
+    //! A job is running that gives the document another map.
+    bool makesMap() const { return mJobs.isBusy() && mReplacesMap; }
 
     //! The figures of the newest measured map; null before the first measurement.
     const MapFigures *figures() const { return mFigures ? &*mFigures : nullptr; }

@@ -274,16 +274,22 @@ void BakeDialog::addMaps(const QStringList &chosen)
     mMaps->setFixedHeight(height);
 }
 
+//! Where to look for a file: where it is, or in the folder of the pictures.
+QString BakeDialog::orFolder(const QString &file) const
+{
+    return file.isEmpty() ? choice().folder : file;
+}
+
 void BakeDialog::browseDetailed()
 {
-    const QString path = mQuestions.fileToOpen(tr("Detailed model"), choice().high, mFilters);
+    const QString path = mQuestions.fileToOpen(tr("Detailed model"), orFolder(choice().high), mFilters);
     if (!path.isEmpty())
         mHigh->setText(QDir::toNativeSeparators(path));
 }
 
 void BakeDialog::browseCage()
 {
-    const QString path = mQuestions.fileToOpen(tr("Cage"), choice().cageFile, mFilters);
+    const QString path = mQuestions.fileToOpen(tr("Cage"), orFolder(choice().cageFile), mFilters);
     if (!path.isEmpty())
         mCageFile->setText(QDir::toNativeSeparators(path));
 }

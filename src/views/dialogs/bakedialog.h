@@ -51,6 +51,7 @@ private:
     QWidget *makePictures(const jobs::BakeChoice &last);
     QWidget *pathRow(QLineEdit *edit, QPushButton *browse);
     void addMaps(const QStringList &chosen);
+    QString orFolder(const QString &file) const;
     void browseDetailed();
     void browseCage();
     void browseFolder();

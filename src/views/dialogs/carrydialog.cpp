@@ -206,8 +206,9 @@ void CarryDialog::fillForm()
 
 void CarryDialog::browseFile()
 {
-    const QString path =
-        mQuestions.fileToOpen(tr("Model with the map of the textures"), choice().file, mFilters);
+    const QString old = choice().file;
+    const QString path = mQuestions.fileToOpen(tr("Model with the map of the textures"),
+                                               old.isEmpty() ? choice().folder : old, mFilters);
     if (!path.isEmpty())
         mFile->setText(QDir::toNativeSeparators(path));
 }

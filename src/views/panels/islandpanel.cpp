@@ -2,6 +2,7 @@
 
 #include "views/actions/actionregistry.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
@@ -20,6 +21,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace autocuts {
 
@@ -54,6 +56,10 @@ IslandPanel::IslandPanel(const StudioContext &context, QWidget *parent)
     connect(&context.map, &MapController::figuresChanged, this, [this] { refreshFigures(settleDelay); });
     connect(&context.map.jobs(), &JobRunner::busyChanged, this, [this] { refreshSoon(); });
     connect(&context.solver, &SolverController::stateChanged, this, [this] { refreshSoon(); });
+    connect(&context.shownMap, &ShownMap::changed, this, [this, wasLive = false]() mutable {
+        if (std::exchange(wasLive, this->context().shownMap.isLive()) != wasLive)
+            refreshSoon();
+    });
     // A right click offers what can be done with the selected islands.
     mView->setContextMenuPolicy(Qt::ActionsContextMenu);
     for (const char *id : {"uv.packSelection", "uv.unwrapSelection", "uv.orientBox", "uv.lock", "uv.unlock",
@@ -221,12 +227,15 @@ void IslandPanel::refresh()
     const auto selected = selectedIslands().size();
     mSummary->show();
     const bool solves = context().solver.isRunning() || context().solver.isPausing();
-    mSummary->setText(mTable->rowCount() == 0
-                          ? (solves                ? tr("Pause the solver to list its islands.")
-                             : map.jobs().isBusy() ? tr("The islands are listed when the map is ready.")
-                                                   : tr("No UVs yet: run the solver, or unwrap."))
-                          : tr("Islands: %1, selected: %2")
-                                .arg(countText(mTable->rowCount()), countText(qint64(selected))));
+    mSummary->setText(
+        mTable->rowCount() == 0 ? (solves                ? tr("Pause the solver to list its islands.")
+                                   : map.jobs().isBusy() ? tr("The islands are listed when the map is ready.")
+                                                         : tr("No UVs yet: run the solver, or unwrap."))
+        : context().shownMap.isLive()
+            ? tr("Islands of the map before: %1, selected: %2. The list follows once the new map is there.")
+                  .arg(countText(mTable->rowCount()), countText(qint64(selected)))
+            : tr("Islands: %1, selected: %2")
+                  .arg(countText(mTable->rowCount()), countText(qint64(selected))));
     for (QPushButton *button : mSelectionButtons)
         enableOrSay(button, selected > 0, tr("Select faces or islands first"));
     mEqualize->setEnabled(mTable->rowCount() > 0 && !map.jobs().isBusy());

@@ -547,8 +547,9 @@ bool MainWindow::event(QEvent *event)
 //! True for a key that is not to trigger an action. A key whose action is disabled says why.
 bool MainWindow::takesKey(const QKeyEvent &key)
 {
-    // Outside of the views Tab goes on to the next field.
-    if (key.key() == Qt::Key_Tab && !qobject_cast<const Canvas *>(focusWidget()))
+    // Away from the views Tab goes on to the next field.
+    const bool overView = mMeshView->underMouse() || mUvView->underMouse();
+    if (key.key() == Qt::Key_Tab && !overView && !qobject_cast<const Canvas *>(focusWidget()))
         return true;
     // Keys of the tool work wherever the focus is, as those of actions do; the view gets the focus back.
     if (const AbstractTool *tool = mTools.tool(); tool && mWorkspace.document() && tool->wantsKey(key) &&

@@ -11,6 +11,7 @@
 #include "views/panels/figurestrip.h"
 #include "views/ui/numbertext.h"
 
+#include <QLabel>
 #include <QProgressBar>
 #include <QToolButton>
 
@@ -86,8 +87,8 @@ QString selectionSummary(const Document &document)
 
 StatusBar::StatusBar(const StudioContext &context, QWidget *parent)
     : QStatusBar(parent), mContext(context), mText(new ElidedLabel), mSet(new ElidedLabel),
-      mSelection(new ElidedLabel), mFigures(new FigureStrip), mProgress(new QProgressBar),
-      mCancel(new QToolButton)
+      mSelection(new ElidedLabel), mOfSoup(new QLabel(tr("Soup:"))), mFigures(new FigureStrip),
+      mProgress(new QProgressBar), mCancel(new QToolButton)
 {
     mText->setObjectName("statusText"_L1);
     mSelection->setObjectName("selectionText"_L1);
@@ -99,6 +100,11 @@ StatusBar::StatusBar(const StudioContext &context, QWidget *parent)
     addPermanentWidget(mSet);
     mSelection->setWidest(widestSelection);
     addPermanentWidget(mSelection);
+    mOfSoup->setObjectName("ofSoup"_L1);
+    mOfSoup->setToolTip(
+        tr("These figures are of the separate triangles that lambda and delta act on. Those of "
+           "the definite map are in the Unwrap panel"));
+    addPermanentWidget(mOfSoup);
     addPermanentWidget(mFigures);
     addFigures();
     mMessageTimer.setSingleShot(true);
@@ -300,7 +306,9 @@ void StatusBar::refresh()
     // Lambda, delta and the energies belong to the soup.
     const bool soup = mContext.shownMap.isSoup() || mContext.solver.mode() == homotopy::SolveMode::Manual;
     mFigures->setShownCount(soup ? FigureCount : Lambda);
-    if (document && (mContext.solver.isRunning() || mContext.solver.isPausing()))
+    const bool live = document && (mContext.solver.isRunning() || mContext.solver.isPausing());
+    mOfSoup->setVisible(live && mContext.shownMap.isSoup());
+    if (live)
         showLiveFigures();
     else
         showMapFigures();

@@ -76,6 +76,7 @@ private:
     bool mLoadingLong = false;
     bool mSelectionStale = true;
     ElidedLabel *mText, *mSet, *mSelection;
+    QLabel *mOfSoup; //!< says that the figures behind it are those of the soup
     FigureStrip *mFigures;
     QProgressBar *mProgress;
     QToolButton *mCancel;

@@ -4,12 +4,15 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStyle>
 
 #include <algorithm>
 
 namespace autocuts {
 
 namespace {
+
+constexpr QSize frame(24, 48); // more than window frames take
 
 //! Wants as much room as its widget does.
 class WholeScrollArea final : public QScrollArea
@@ -29,7 +32,6 @@ public:
 
 void resizeOnScreen(QWidget &window, const QSize &wanted)
 {
-    constexpr QSize frame(24, 48); // more than window frames take
     window.resize(wanted.boundedTo(window.screen()->availableSize() - frame));
 }
 
@@ -40,7 +42,10 @@ void resizeToContent(QWidget &window)
         widget->ensurePolished();
     for (QLayout *layout : window.findChildren<QLayout *>())
         layout->invalidate();
-    resizeOnScreen(window, window.sizeHint());
+    QSize wanted = window.sizeHint();
+    if (wanted.height() > window.screen()->availableSize().height() - frame.height())
+        wanted.rwidth() += window.style()->pixelMetric(QStyle::PM_ScrollBarExtent); // it is scrolled
+    resizeOnScreen(window, wanted);
 }
 
 QWidget *scrolled(QLayout *layout)

@@ -99,6 +99,8 @@ public:
     {
         if (hint == SH_EtchDisabledText || hint == SH_DialogButtonBox_ButtonsHaveIcons)
             return 0;
+        if (hint == SH_Menu_Scrollable) // Fusion makes further columns, which may leave the screen
+            return 1;
         return QProxyStyle::styleHint(hint, option, widget, data);
     }
 
