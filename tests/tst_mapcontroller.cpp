@@ -1,100 +1,25 @@
-// Jobs on whole maps: results come back as commands, edits meanwhile win, cancel keeps what there is.
+// Jobs on whole maps: results come back as commands.
 #include "commands/changesettings.h"
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/edituvsets.h"
 #include "commands/hidefaces.h"
 #include "commands/setislandflags.h"
-#include "commands/setseamstate.h"
 #include "commands/setuvs.h"
 #include "model/document/makesnapshot.h"
 #include "model/plain/uvlayout.h"
-#include "model/plain/uvseams.h"
-#include "model/samples/samples.h"
-#include "solver/packing/packmap.h"
 #include "solver/unwrap/unwrap.h"
+#include "support/mapstudio.h"
 #include "support/meshbuilders.h"
-#include "support/patience.h"
-#include "views/control/mapcontroller.h"
 #include "views/control/mapjobs.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
 
-#include <QSignalSpy>
-#include <QTest>
-
-#include <array>
 #include <cstring>
 #include <numeric>
 
 using namespace autocuts;
 using namespace autocuts::metrics;
 using namespace autocuts::unwrap;
-
-namespace {
-
-struct Studio
-{
-    Workspace workspace;
-    ShownMap shown{workspace};
-    SolverController solver{workspace, shown};
-    MapController map{workspace, solver, shown};
-    QSignalSpy done{&map, &MapController::done}, failed{&map, &MapController::failed};
-
-    explicit Studio(const char *sample = "bumpycube")
-    {
-        workspace.open(std::make_unique<Document>(makeSample(QString::fromLatin1(sample)).value()), {});
-    }
-    Document &document() { return *workspace.document(); }
-    UndoStack &stack() { return document().undoStack(); }
-    bool ends()
-    {
-        return QTest::qWaitFor([&] { return !map.jobs().isBusy() && done.count() + failed.count() > 0; },
-                               test::patience);
-    }
-    bool measures()
-    {
-        return QTest::qWaitFor([&] { return map.figuresAreFresh(); }, test::patience);
-    }
-    void cut(int edgePair)
-    {
-        pushCommand(std::make_unique<SetSeamState>(
-            document(), SetSeamState::Edit::Cut,
-            IndexRanges::fromSorted(std::array{2 * edgePair, 2 * edgePair + 1})));
-    }
-    //! A quick map: every face of the box on its own, side by side and on top of each other as they come.
-    void layOut(bool overlapping)
-    {
-        const MeshData &mesh = document().mesh();
-        UvMatrix uv(mesh.cornerCount(), 2);
-        for (int f = 0; f < mesh.faceCount(); ++f) {
-            const int first = mesh.faceStart[f];
-            const Vec3 o = mesh.cornerPosition(first), a = mesh.cornerPosition(first + 1) - o;
-            const Vec3 x = a.normalized();
-            const Vec3 n = a.cross(Vec3(mesh.cornerPosition(first + 2) - o)).normalized();
-            for (int c = first; c < mesh.faceStart[f + 1]; ++c) {
-                const Vec3 p = mesh.cornerPosition(c) - o;
-                uv.row(c) = 0.05 * Vec2(p.dot(x), p.dot(n.cross(x)));
-                if (!overlapping)
-                    uv.row(c) += Vec2(0.3 * (f % 40), 0.3 * (f / 40));
-            }
-        }
-        pushCommand(std::make_unique<SetUvs>(document(), UvEdit::Move, uv));
-    }
-};
-
-//! An edge pair that is no seam of the map that is shown, and no diagonal.
-int joinedInside(const Studio &studio)
-{
-    const std::vector<EdgePair> &pairs = studio.workspace.document()->mesh().edgePairs;
-    int edge = 0;
-    while (pairs[edge].diagonal || studio.shown.isSeam(edge))
-        ++edge;
-    return edge;
-}
-
-} // namespace
+using Studio = test::MapStudio;
 
 class TestMapController : public QObject
 {
@@ -116,6 +41,15 @@ private Q_SLOTS:
             QVERIFY(studio.ends());
             QCOMPARE(studio.done.takeLast().at(0).toString().contains(QLatin1String("map before")), first);
         }
+    }
+
+    void withoutAMapThereIsNothingToFinish()
+    {
+        Studio studio;
+        studio.map.finish();
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 1);
+        QVERIFY(studio.failed.last().at(0).toString().contains(QLatin1String("unwrap first")));
     }
 
     //! Hidden faces are mapped again only if the user says so; that is asked once.
@@ -445,124 +379,6 @@ private Q_SLOTS:
                 moved += document.uv().row(c) != before.row(c);
         }
         QVERIFY(moved > 0);
-    }
-
-    //! The best map is seen while it is looked for; the document does not change before the end.
-    void unwrappingShowsItsBestMap()
-    {
-        Studio studio;
-        const std::size_t corners = studio.document().mesh().soupCornerCount();
-        studio.map.unwrap(UnwrapQuality::Standard);
-        QVERIFY(QTest::qWaitFor([&] { return studio.map.isPreviewing(); }, test::patience));
-        QVERIFY(studio.map.jobs().isBusy());
-        QVERIFY(studio.shown.isLive() && !studio.shown.isSoup());
-        QCOMPARE(std::size_t(studio.shown.uv().rows()), corners);
-        QVERIFY(studio.shown.uv().allFinite());
-        QVERIFY(!hasUvs(studio.document()));
-        QCOMPARE(studio.stack().count(), 0);
-        QVERIFY(studio.ends());
-        QVERIFY(!studio.map.isPreviewing() && !studio.shown.isLive());
-        QCOMPARE(studio.stack().count(), 1);
-        QVERIFY(studio.shown.uv() == soupUv(studio.document().mesh(), studio.document().uv()));
-    }
-
-    //! Seeing maps on the way does not change the result.
-    void aWatchedUnwrapGivesTheSameMap()
-    {
-        Studio studio;
-        const Snapshot snapshot = makeSnapshot(studio.document());
-        unwrap::UnwrapOptions options;
-        options.packing = packing::tileOptions(studio.document().packingSettings());
-        options.packing.keepScale = false;
-        const UvMatrix alone = unwrap::unwrapMesh(snapshot, options).uv;
-        studio.map.unwrap(UnwrapQuality::Standard);
-        QVERIFY(studio.ends());
-        QVERIFY(studio.document().uv() == alone);
-    }
-
-    //! The job begins again with the edit, also when that comes shortly before its end.
-    void unwrappingTakesUpEdits()
-    {
-        Studio studio;
-        studio.map.unwrap(UnwrapQuality::Standard);
-        QVERIFY(QTest::qWaitFor([&] { return studio.map.isPreviewing(); }, test::patience));
-        const int edge = joinedInside(studio);
-        studio.cut(edge);
-        QVERIFY(studio.map.isPreviewing());
-        const auto isCut = [&] {
-            const std::vector<bool> open = openCornerPairs(studio.document().mesh(), studio.document().uv());
-            return open[2 * edge] || open[2 * edge + 1];
-        };
-        QVERIFY(QTest::qWaitFor([&] { return isCut() && !studio.map.jobs().isBusy(); }, test::patience));
-        QVERIFY(!studio.map.isPreviewing());
-    }
-
-    //! What is edited after Cancel does not begin the job again.
-    void aCancelledJobStaysCancelled()
-    {
-        Studio studio;
-        studio.map.unwrap(UnwrapQuality::Best);
-        QVERIFY(QTest::qWaitFor([&] { return studio.map.isPreviewing(); }, test::patience));
-        studio.cut(joinedInside(studio));
-        studio.map.cancel();
-        QVERIFY(studio.ends());
-        QVERIFY(!studio.map.isPreviewing());
-        QTest::qWait(600);
-        QVERIFY(!studio.map.jobs().isBusy());
-    }
-
-    void anEditMeanwhileWins()
-    {
-        Studio studio;
-        studio.map.unwrap(UnwrapQuality::Draft);
-        studio.layOut(false);
-        const UvMatrix edited = studio.document().uv();
-        QVERIFY(!studio.map.jobs().isBusy() && !studio.map.isPreviewing()); // it does not go on for nothing
-        QTRY_COMPARE(studio.failed.count(), 1);
-        QVERIFY(studio.document().uv() == edited);
-        studio.map.unwrap(UnwrapQuality::Best);
-        studio.stack().undo();
-        QVERIFY(!studio.map.jobs().isBusy());
-        QTRY_COMPARE(studio.failed.count(), 2);
-    }
-
-    void cancelKeepsTheBestSoFar()
-    {
-        Studio studio("bumpycube"); // of one closed part: the search reports progress when it has a map
-        studio.map.unwrap(UnwrapQuality::Best);
-        QTRY_VERIFY_WITH_TIMEOUT(studio.map.jobs().progress() > 0, test::patience);
-        studio.map.cancel();
-        QVERIFY(studio.ends());
-        QCOMPARE(studio.stack().count(), 1);
-        QVERIFY(studio.measures());
-        QCOMPARE(studio.map.figures()->metrics.flipped, 0);
-        QCOMPARE(studio.map.figures()->metrics.facesWithoutUv, 0);
-    }
-
-    void cancelKeepsAMapThatIsBetter()
-    {
-        Studio studio("character");
-        studio.layOut(false);
-        const UvMatrix before = studio.document().uv();
-        const int entries = studio.stack().count();
-        studio.map.unwrap(UnwrapQuality::Best);
-        studio.map.cancel();
-        QVERIFY(studio.ends());
-        QVERIFY(studio.document().uv() == before);
-        QCOMPARE(studio.stack().count(), entries);
-        QCOMPARE(studio.failed.count(), 1);
-    }
-
-    void anotherDocumentThrowsTheResultAway()
-    {
-        Studio studio;
-        QSignalSpy ended(&studio.map.jobs(), &JobRunner::letGoEnded);
-        studio.map.unwrap(UnwrapQuality::Draft);
-        studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("torus")).value()), {});
-        QVERIFY(!studio.map.jobs().isBusy());
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, test::patience);
-        QCOMPARE(studio.stack().count(), 0);
-        QVERIFY(!studio.document().uv().allFinite());
     }
 
     void densityIsMadeEqual()

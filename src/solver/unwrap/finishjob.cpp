@@ -280,7 +280,7 @@ FinishResult finishMap(const FinishInput &asked, const JobContext &job)
     const std::optional<FreePart> part = FreePart::of(asked.snapshot);
     if (!part) {
         result.nothingFree = true;
-        result.uv = *asked.snapshot.uv;
+        result.uv = asked.snapshot.uv ? *asked.snapshot.uv : emptyLayout(*asked.snapshot.mesh);
         return result;
     }
     FinishInput input = asked;

@@ -45,7 +45,7 @@ int ActionStates::met() const
     const SolverController &solver = mContext.solver;
     const Selection &selection = document->selection();
     add(true, NeedsDocument);
-    add(hasUvs() || solver.isRunning() || solver.isPausing(), NeedsUvs);
+    add(hasUvs() || solver.isRunning() || solver.isPausing() || solver.soup(), NeedsUvs);
     add(!selection.isEmpty(), NeedsSelection);
     add(!selection.edges.isEmpty(), NeedsSelectedEdges);
     add(!selection.faces.isEmpty(), NeedsSelectedFaces);

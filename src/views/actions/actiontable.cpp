@@ -204,7 +204,7 @@ constexpr std::array uvTable{
                NeedsIdleMap | NeedsSelection},
     ActionInfo{"uv.finish", "UV", QT_TRANSLATE_NOOP("Actions", "&Finish"), "finish", "Ctrl+Return",
                QT_TRANSLATE_NOOP("Actions", "Make a final map with definite seams and no overlaps"),
-               NeedsIdleDocument},
+               NeedsIdleMap},
     ActionInfo{"uv.finishSelection", "UV", QT_TRANSLATE_NOOP("Actions", "Finish selection"), "finish",
                "Ctrl+Shift+Return",
                QT_TRANSLATE_NOOP("Actions", "Finish the map of the selected faces; nothing else changes"),

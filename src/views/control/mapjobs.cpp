@@ -258,10 +258,14 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
                        live->status.delta,
                        input.live.hasMoreToDo};
     }
+    MapJobResult result;
+    if (!finish.live && !finish.snapshot.uv) {
+        result.problem = JobTexts::tr("There is no map yet: unwrap first");
+        return result;
+    }
     finish.maxDistortion = input.snapshot.settings.maxDistortion;
     finish.packing = packing::tileOptions(input.packing);
     const unwrap::FinishResult made = unwrap::finishMap(finish, contextOf(control, finish.maxDistortion));
-    MapJobResult result;
     result.edit = input.snapshot.scope ? UvEdit::FinishSelection : UvEdit::Finish;
     if (made.nothingFree) {
         result.problem = nothingFree();
