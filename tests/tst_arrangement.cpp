@@ -253,6 +253,29 @@ private Q_SLOTS:
         QVERIFY(document->state() == stacked);
     }
 
+    //! A stack or group that others have left is none.
+    void noneIsAStackAlone()
+    {
+        using Edit = SetIslandFlags::Edit;
+        const auto document = test::partsDocument({{}, {{1, 0}}, {{2, 0}}, {{3, 0}}});
+        const auto push = [&](Edit edit, const std::vector<int> &islands) {
+            QVERIFY(pushCommand(std::make_unique<SetIslandFlags>(*document, edit, islands)));
+        };
+        const auto flags = [&](int island) {
+            return document->marks().flagsOf(document->islands().faces(island));
+        };
+        push(Edit::Stack, {0, 1, 2});
+        push(Edit::Group, {2, 3});
+        pushCommand(StackIslands::stack(*document, {{0, 1}}));
+        QVERIFY(flags(0).stack > 0 && flags(0).stack == flags(1).stack && flags(2).stack == 0);
+        push(Edit::Ungroup, {3});
+        QCOMPARE(flags(2).group, 0);
+        document->undoStack().undo();
+        QVERIFY(flags(2).group > 0 && flags(2).group == flags(3).group);
+        push(Edit::Stack, {3}); // one alone may be marked for others to come
+        QVERIFY(flags(3).stack > 0);
+    }
+
     void lockedCopiesSayWhere()
     {
         const auto document = test::partsDocument({{}, {{1, 0}}, {{2, 0}}});

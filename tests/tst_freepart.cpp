@@ -3,12 +3,14 @@
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/unwrap/freepart.h"
+#include "solver/unwrap/livemap.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
 
 #include <algorithm>
+#include <atomic>
 
 using namespace autocuts;
 using namespace autocuts::unwrap;
@@ -152,6 +154,18 @@ void TestFreePart::theRestIsNotMadeWorse()
     QVERIFY2(seams(again.uv) <= 1.02 * seams(first.uv),
              qPrintable(QStringLiteral("%1 -> %2").arg(seams(first.uv)).arg(seams(again.uv))));
     QCOMPARE(again.nothingGained, again.uv == first.uv);
+    // Nor does a live solve, and it does not say that the map is above the bound.
+    Snapshot begun = snapshot;
+    begun.settings.start = StartMode::ExistingUv;
+    std::atomic<bool> stop = false;
+    std::shared_ptr<const LiveMapResult> shown;
+    LiveMap live([&](std::shared_ptr<const LiveMapResult> map) {
+        shown = std::move(map);
+        stop = true;
+    });
+    live.begin(std::make_shared<const Snapshot>(begun), {options.maxDistortion, options.packing});
+    live.work({&stop, 1});
+    QVERIFY(shown->uv == first.uv && shown->distortion <= options.maxDistortion && shown->withinBound);
     // A plain file gets what the search finds.
     snapshot.keepTiles = false;
     QVERIFY(!unwrapMesh(snapshot, options).nothingGained);

@@ -96,6 +96,26 @@ class TestSoupBuffers : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    //! Not as infinitely small.
+    void facesWithoutUvsHaveNoHeat()
+    {
+        const MeshPtr mesh = test::grid(2);
+        UvMatrix uv = UvMatrix::Zero(mesh->cornerCount(), 2);
+        for (int c = 0; c < mesh->cornerCount(); ++c)
+            uv.row(c) = mesh->cornerPosition(c).head<2>();
+        uv.topRows(mesh->faceStart[1]).setConstant(std::nan(""));
+        Scenery scenery(mesh, uv);
+        scenery.stretch = StretchMeter(*mesh).measure(scenery.uv);
+        scenery.density.assign(std::size_t(mesh->triangleCount()), 1);
+        for (const Coloring coloring :
+             {Coloring::SignedStretch, Coloring::StretchMagnitude, Coloring::Density}) {
+            scenery.options.coloring = coloring;
+            const std::vector<FaceTexel> faces = scenery.faces();
+            QCOMPARE(faces.front().red, quint8(10));
+            QVERIFY(faces.back().red != 10);
+        }
+    }
+
     void topologyNamesEverySideOnce()
     {
         const MeshPtr mesh = test::dirty();

@@ -7292,7 +7292,7 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
     <message>
         <source>4 is a map without any distortion; 4.1 is hardly seen.</source>
-        <translation>4 ist eine Map ohne jede Verzerrung; 4.1 sieht man kaum.</translation>
+        <translation>4 ist eine Map ohne jede Verzerrung; 4,1 sieht man kaum.</translation>
     </message>
     <message>
         <source>Safety</source>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace autocuts {
 
@@ -22,6 +23,31 @@ std::int32_t freeNumber(const std::vector<IslandFlags> &flags, std::int32_t Isla
     for (std::int32_t u : used)
         number += u == number;
     return number;
+}
+
+//! Takes islands out of stacks or groups whose other islands have left them.
+void releaseLast(const Islands &islands, const std::vector<IslandFlags> &before,
+                 std::vector<IslandFlags> &after, std::int32_t IslandFlags::*field)
+{
+    struct Members
+    {
+        int before = 0, after = 0, last = -1;
+    };
+    std::map<std::int32_t, Members> members;
+    for (int island = 0; island < islands.count(); ++island) {
+        const int face = islands.faces(island).front();
+        ++members[before[face].*field].before;
+        Members &now = members[after[face].*field];
+        ++now.after;
+        now.last = island;
+    }
+    members.erase(0);
+    for (const auto &[number, of] : members) {
+        if (of.before < 2 || of.after != 1)
+            continue;
+        for (const int face : islands.faces(of.last))
+            after[face].*field = 0;
+    }
 }
 
 IslandFlags edited(IslandFlags flags, SetIslandFlags::Edit edit, std::int32_t number)
@@ -62,19 +88,25 @@ SetIslandFlags::SetIslandFlags(Document &document, Edit edit, const std::vector<
         number = freeNumber(flags, &IslandFlags::stack);
     else if (edit == Edit::Group)
         number = freeNumber(flags, &IslandFlags::group);
-    std::vector<int> faces;
+    std::vector<IslandFlags> after = flags;
     for (int island : islands) {
-        const std::vector<int> &own = document.islands().faces(island);
-        faces.insert(faces.end(), own.begin(), own.end());
-        mCount += std::any_of(own.begin(), own.end(),
-                              [&](int face) { return edited(flags[face], edit, number) != flags[face]; });
+        bool changes = false;
+        for (const int face : document.islands().faces(island)) {
+            after[face] = edited(flags[face], edit, number);
+            changes = changes || after[face] != flags[face];
+        }
+        mCount += changes;
     }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    std::vector<IslandFlags> values;
-    for (int face : faces)
-        values.push_back(edited(flags[face], edit, number));
-    mDelta = XorDelta::between<IslandFlags>(flags.data(), IndexRanges::fromSorted(faces), values);
+    setFlags(after);
+}
+
+void SetIslandFlags::setFlags(std::vector<IslandFlags> after)
+{
+    const std::vector<IslandFlags> &before = document().marks().faceFlags;
+    for (const auto field : {&IslandFlags::stack, &IslandFlags::group})
+        releaseLast(document().islands(), before, after, field);
+    const IndexRanges all = IndexRanges::all(static_cast<int>(before.size()));
+    mDelta = XorDelta::between<IslandFlags>(before.data(), all, after);
 }
 
 std::unique_ptr<SetIslandFlags> SetIslandFlags::stackEach(Document &document,
@@ -92,8 +124,7 @@ std::unique_ptr<SetIslandFlags> SetIslandFlags::stackEach(Document &document,
         }
         command->mCount += static_cast<int>(stack.size());
     }
-    const IndexRanges all = IndexRanges::all(static_cast<int>(before.size()));
-    command->mDelta = XorDelta::between<IslandFlags>(before.data(), all, after);
+    command->setFlags(std::move(after));
     return command;
 }
 

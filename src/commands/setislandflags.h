@@ -37,6 +37,8 @@ protected:
     void compact() override { mDelta.pack(document().undoStack().pool()); }
 
 private:
+    void setFlags(std::vector<IslandFlags> after);
+
     Edit mEdit;
     int mCount = 0;  //!< islands whose flags change
     XorDelta mDelta; //!< over IslandMarks::faceFlags

@@ -206,7 +206,6 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
         map = mStanding->worth.map;
         result->uv = *whole.uv;
     }
-    result->withinBound = map.distortion(soup) <= mOptions.maxDistortion;
     result->token = mToken;
     result->hardShare = mProblem.hardShare();
     result->cut = part.wholeCut(map.cut);
@@ -217,6 +216,8 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     result->seamLength = all.seamNorm;
     result->islands = all.charts;
     result->distortion = all.tileDirichlet;
+    result->withinBound =
+        map.distortion(soup) <= mOptions.maxDistortion || all.tileDirichlet <= mMaxDistortion;
     if (deformed && effort == FitEffort::Quick)
         mUnfitted = state;
     mBest = std::move(state);

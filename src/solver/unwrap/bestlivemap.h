@@ -36,7 +36,7 @@ struct LiveMapResult
     double seamLength = 0; //!< seam_norm, solver units
     int islands = 0;
     double hardShare = 0;     //!< as UnwrapResult::hardShare
-    bool withinBound = false; //!< of what may change
+    bool withinBound = false; //!< the whole map, or what may change
     bool hasRoom = true;      //!< false: there is no room for all islands, some may overlap
     //! Share of the area that has a mirror image, 0 where it is not symmetric. Set when symmetric seams are
     //! asked for.
@@ -55,7 +55,12 @@ public:
 
     //! Forgets all maps.
     void reset();
-    void setOptions(const LiveMapOptions &options) { mOptions = options; }
+    //! \param maxDistortion bound on the whole map; that of the options is for what may change
+    void setOptions(const LiveMapOptions &options, double maxDistortion)
+    {
+        mOptions = options;
+        mMaxDistortion = maxDistortion;
+    }
     //! The document's state that the next maps obey.
     void setToken(const StateToken &token)
     {
@@ -123,6 +128,7 @@ private:
     const LiveProblem &mProblem;
     const Sink mSink;
     LiveMapOptions mOptions;
+    double mMaxDistortion = 0; //!< of the whole map
     StateToken mToken;
     bool mPacksAfresh = false;
 

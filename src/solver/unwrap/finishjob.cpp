@@ -322,6 +322,7 @@ FinishResult finishMap(const FinishInput &asked, const JobContext &job)
         metrics::measureShapes(*input.snapshot.mesh, result.uv, input.snapshot.tileHeight).tileDirichlet;
     if (!input.live)
         keepBetterMap(input, before, result);
+    result.withinBound = result.withinBound || result.distortion <= asked.maxDistortion;
     const std::vector<PairState> &states = input.snapshot.steering->pairState;
     const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
     result.heldTogether = joins && !result.noRoom &&

@@ -29,7 +29,7 @@ struct FinishResult
 {
     UvMatrix uv;                //!< per corner, texture space; no rows when stopped before there was a map
     double distortion = 0;      //!< of the whole map: UvMetrics::tileDirichlet
-    bool withinBound = false;   //!< what may change keeps to the bound
+    bool withinBound = false;   //!< the whole map, or what may change, keeps to the bound
     bool noRoom = false;        //!< the islands had to be packed and there is no room for them
     bool madeSmaller = false;   //!< there was no room at their scale: the islands of some tiles are smaller
     bool nothingGained = false; //!< no better map was found: uv is the map before the job

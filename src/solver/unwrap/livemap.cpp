@@ -96,7 +96,7 @@ void LiveMap::takeOver(const LiveMapOptions &options)
 {
     mOptions = options;
     mMaxDistortion = options.maxDistortion;
-    mBest.setOptions(options);
+    mBest.setOptions(options, mMaxDistortion);
     mBest.setToken(mSnapshot->token);
 }
 
@@ -133,7 +133,7 @@ void LiveMap::updateProblem(const JobContext &job)
     if (!mProblem.update(mSnapshot, job.threads()))
         mBest.forgetBest();
     mOptions.maxDistortion = mProblem.part().boundBeside(mMaxDistortion);
-    mBest.setOptions(mOptions);
+    mBest.setOptions(mOptions, mMaxDistortion);
     mBest.forgetWaiting();
     mIdleRounds = 0;
     mBegunAnew = false;

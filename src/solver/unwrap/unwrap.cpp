@@ -4,6 +4,7 @@
 #include "solver/base/timelimit.h"
 #include "solver/definite/refinedmap.h"
 #include "solver/definite/seamopening.h"
+#include "solver/metrics/uvmetrics.h"
 #include "solver/preference/seampreference.h"
 #include "solver/preference/surfacekind.h"
 #include "solver/straight/necks.h"
@@ -317,6 +318,10 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &asked, const
         ready.reset();
         result = maker.resultOf(std::move(found.best), PackHurry::WhenStopped, job.watchedBy(report));
     }
+    if (!result.withinBound && !part->isWhole())
+        result.withinBound =
+            metrics::measureShapes(*snapshot.mesh, result.uv, snapshot.tileHeight).tileDirichlet <=
+            asked.maxDistortion;
     result.iterations = found.iterations;
     result.hardShare = preference::surfaceParts(*part->snapshot().mesh, snapshot.settings.surface).hardShare;
     result.symmetry = found.symmetry;

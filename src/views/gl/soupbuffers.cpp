@@ -145,6 +145,13 @@ QRgb vertexColor(std::span<const CornerColor> colors, const std::array<int, 3> &
     return qRgb(part(0), part(1), part(2));
 }
 
+//! True for colours that say something of the map, and so nothing where there is none.
+bool showsMap(Coloring coloring)
+{
+    return coloring == Coloring::SignedStretch || coloring == Coloring::StretchMagnitude ||
+           coloring == Coloring::Density;
+}
+
 //! The colour of every triangle, without marks.
 std::vector<QRgb> triangleColors(const FaceInput &input)
 {
@@ -154,6 +161,8 @@ std::vector<QRgb> triangleColors(const FaceInput &input)
     std::vector<QRgb> colors(count, input.plain.rgb());
     std::vector<QRgb> islandColors;
     for (int t = 0; t < count; ++t) {
+        if (showsMap(input.options.coloring) && !input.uv.middleRows(3 * t, 3).allFinite())
+            continue;
         switch (input.options.coloring) {
         case Coloring::Islands:
             if (const int island = input.islands[input.mesh.triangleFace[t]]; island >= 0) {
