@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 
 using namespace autocuts;
 using namespace autocuts::unwrap;
@@ -114,24 +115,31 @@ void TestFreePart::whatStaysTakesFromTheBound()
 
 void TestFreePart::theRestIsNotMadeWorse_data()
 {
+    QTest::addColumn<QString>("sample");
     QTest::addColumn<int>("held"); // island, by size; -1: a face is hidden
-    QTest::newRow("the largest island") << 0;
-    QTest::newRow("the second island") << 1;
-    QTest::newRow("a face") << -1;
+    QTest::newRow("the largest island") << QStringLiteral("machine") << 0;
+    QTest::newRow("the second island") << QStringLiteral("machine") << 1;
+    QTest::newRow("a face") << QStringLiteral("machine") << -1;
+    // Here what may change is stretched more than the bound.
+    QTest::newRow("an island stretched less than the others") << QStringLiteral("character") << 0;
 }
 
 //! Unwrapped anew beside an island that is locked, or a face that is hidden, a map of a document stays or
 //! gets better, also where the bound is used up: the bound is for the mean of all.
 void TestFreePart::theRestIsNotMadeWorse()
 {
+    QFETCH(QString, sample);
     QFETCH(int, held);
     Snapshot snapshot;
-    snapshot.mesh = makeSample(QStringLiteral("machine")).value().mesh;
+    snapshot.mesh = makeSample(sample).value().mesh;
     snapshot.keepTiles = true;
     const MeshData &mesh = *snapshot.mesh;
     UnwrapOptions options;
     options.packing.effort = 0.02;
-    static const UnwrapResult first = unwrapMesh(snapshot, options);
+    static std::map<QString, UnwrapResult> firstOf;
+    if (!firstOf.contains(sample))
+        firstOf[sample] = unwrapMesh(snapshot, options);
+    const UnwrapResult &first = firstOf[sample];
     snapshot.uv = std::make_shared<const UvMatrix>(first.uv);
     snapshot.uvScale = layoutScale(mesh, first.uv);
     std::vector<std::vector<int>> islands = findCharts(mesh, first.uv).faces();
