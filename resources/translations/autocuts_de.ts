@@ -1835,6 +1835,10 @@
         <source>Write the model with its UV map beside its file, as NAME_uv, after each re-link. The session remembers it</source>
         <translation>Das Modell mit seiner UV-Map nach jeder Verknüpfung neben seine Datei schreiben, als NAME_uv. Die Sitzung merkt es sich</translation>
     </message>
+    <message>
+        <source>There is only one UV set: make another one first</source>
+        <translation>Es gibt nur einen UV-Satz: legen Sie zuerst einen weiteren an</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -3587,6 +3591,10 @@
         <source>Make meshes unique</source>
         <translation>Meshes eigenständig machen</translation>
     </message>
+    <message>
+        <source>Bake</source>
+        <translation>Backen</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::AboutDialog</name>
@@ -4267,21 +4275,6 @@
     <message>
         <source>%1 would overwrite the picture it is made from: choose another ending or folder.</source>
         <translation>%1 würde das Bild überschreiben, aus dem es gemacht wird: eine andere Endung oder einen anderen Ordner wählen.</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
-    </message>
-    <message numerus="yes">
-        <source>Replace %n pictures? Undo does not bring them back.</source>
-        <translation>
-            <numerusform>%n Bild ersetzen? Rückgängig bringt es nicht zurück.</numerusform>
-            <numerusform>%n Bilder ersetzen? Rückgängig bringt sie nicht zurück.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>E&amp;nding of names:</source>
@@ -5309,6 +5302,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Select faces or islands first</source>
         <translation>Wählen Sie zuerst Flächen oder Inseln aus</translation>
     </message>
+    <message>
+        <source>Islands of the map before: %1, selected: %2. The list follows once the new map is there.</source>
+        <translation>Inseln der vorigen Map: %1, ausgewählt: %2. Die Liste folgt, sobald die neue Map da ist.</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::IslandTable</name>
@@ -6008,6 +6005,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Textures</source>
         <translation>Texturen</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 makes one, %2 solves live</source>
+        <translation>%1 erstellt eine, %2 löst live</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MapController</name>
@@ -6346,10 +6351,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Islands packed: %1, into the tiles %2</source>
         <translation>Gepackte Inseln: %1, in die Kacheln %2</translation>
-    </message>
-    <message>
-        <source>%1. Larger than a tile at this density: %2; each has a tile of its own, in which it is smaller</source>
-        <translation>%1. Bei dieser Dichte größer als eine Kachel: %2; jede hat eine eigene Kachel, in der sie kleiner ist</translation>
     </message>
     <message>
         <source>Cancelled: the map stays as it is</source>
@@ -6706,20 +6707,24 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Unwrapped: no better map was found, it stays as it was</source>
         <translation>Abgewickelt: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
     </message>
+    <message>
+        <source>There is no map yet: unwrap first</source>
+        <translation>Es gibt noch keine Map: wickeln Sie zuerst ab</translation>
+    </message>
+    <message>
+        <source>%1. Larger than a tile at this density, and made smaller to fit: %2</source>
+        <translation>%1. Bei dieser Dichte größer als eine Kachel und deshalb verkleinert: %2</translation>
+    </message>
+    <message>
+        <source>Unwrapping ended early, with the best map so far: distortion %1</source>
+        <translation>Das Abwickeln endete vorzeitig mit der bisher besten Map: Verzerrung %1</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>
     <message>
         <source>Open a model</source>
         <translation>Öffnen Sie ein Modell</translation>
-    </message>
-    <message>
-        <source>Press Ctrl+O, drop a file here,</source>
-        <translation>Drücken Sie Strg+O, ziehen Sie eine Datei hierher,</translation>
-    </message>
-    <message>
-        <source>or choose File &gt; Open sample</source>
-        <translation>oder wählen Sie Datei &gt; Beispiel öffnen</translation>
     </message>
     <message>
         <source>X-ray</source>
@@ -6732,6 +6737,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Drop a file here, or choose File &gt; Open</source>
+        <translation>Ziehen Sie eine Datei hierher, oder wählen Sie Datei &gt; Öffnen</translation>
     </message>
 </context>
 <context>
@@ -7617,6 +7626,21 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>The file of %1 is gone. Save it anew?</source>
         <translation>Die Datei von %1 ist verschwunden. Neu speichern?</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message numerus="yes">
+        <source>Replace %n pictures? Undo does not bring them back.</source>
+        <translation>
+            <numerusform>%n Bild ersetzen? Rückgängig bringt es nicht zurück.</numerusform>
+            <numerusform>%n Bilder ersetzen? Rückgängig bringt sie nicht zurück.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -9175,6 +9199,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>UV set: %1</source>
         <translation>UV-Satz: %1</translation>
     </message>
+    <message>
+        <source>Soup:</source>
+        <translation>Suppe:</translation>
+    </message>
+    <message>
+        <source>These figures are of the separate triangles that lambda and delta act on. Those of the definite map are in the Unwrap panel</source>
+        <translation>Diese Werte sind die der einzelnen Dreiecke, auf die Lambda und Delta wirken. Die der fertigen Map stehen im Panel „Abwickeln“</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::StretchControl</name>
@@ -9778,6 +9810,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Run</source>
         <translation>Starten</translation>
     </message>
+    <message>
+        <source>Lambda is %1 already and cannot go further</source>
+        <translation>Lambda ist schon %1 und kann nicht weiter</translation>
+    </message>
+    <message>
+        <source>Delta is %1 already and cannot go further</source>
+        <translation>Delta ist schon %1 und kann nicht weiter</translation>
+    </message>
+    <message>
+        <source>Lambda and delta are set by hand now: undo, or %1 (%2), leaves them to the solver</source>
+        <translation>Lambda und Delta werden jetzt von Hand gesetzt: Rückgängig oder %1 (%2) überlässt sie wieder dem Löser</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::UvSetPanel</name>
@@ -9815,10 +9859,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>No UVs yet</source>
         <translation>Noch keine UVs</translation>
-    </message>
-    <message>
-        <source>Press U to unwrap, or Space to solve live</source>
-        <translation>U wickelt ab, die Leertaste startet die Live-Berechnung</translation>
     </message>
 </context>
 <context>

@@ -228,9 +228,11 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         result.hardShare = made.hardShare;
     const double distortion =
         metrics::measureShapes(input.mesh(), made.uv, input.snapshot.tileHeight).tileDirichlet;
-    result.message = made.nothingGained
-                         ? JobTexts::tr("Unwrapped: no better map was found, it stays as it was")
-                         : JobTexts::tr("Unwrapped: distortion %1").arg(fixedText(distortion, 4));
+    result.message =
+        made.nothingGained ? JobTexts::tr("Unwrapped: no better map was found, it stays as it was")
+        : made.stopped     ? JobTexts::tr("Unwrapping ended early, with the best map so far: distortion %1")
+                             .arg(fixedText(distortion, 4))
+                       : JobTexts::tr("Unwrapped: distortion %1").arg(fixedText(distortion, 4));
     sayStraight(made.stopped, made.straight, result);
     if (!made.packed)
         result.problem = noRoom(input.packing);
@@ -241,7 +243,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     else if (!made.unmet.empty())
         showUnmet(input, made.unmet, result);
     else if (!made.withinBound)
-        result.problem = aboveBound(made.distortion, options.maxDistortion);
+        result.problem = aboveBound(distortion, options.maxDistortion);
     else if (made.symmetry)
         saySymmetry(made, input.mesh(), result);
     return result;
