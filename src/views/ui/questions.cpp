@@ -6,9 +6,11 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTreeView>
 #include <QUrl>
 
 namespace autocuts {
@@ -46,6 +48,17 @@ void focusFirstField(QDialog &dialog)
             text->selectAll();
         return;
     }
+}
+
+//! Where the desktop has no file dialog, Qt's own one cuts names and dates off.
+void fitColumns(QDialog &dialog)
+{
+    const auto *files = dialog.findChild<QTreeView *>(QStringLiteral("treeView"));
+    if (!qobject_cast<QFileDialog *>(&dialog) || !files)
+        return;
+    files->header()->setStretchLastSection(false);
+    files->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    files->header()->setSectionResizeMode(0, QHeaderView::Stretch);
 }
 
 } // namespace
@@ -164,6 +177,7 @@ int Questions::run(QDialog &dialog)
 {
     if (!dialog.focusWidget())
         focusFirstField(dialog);
+    fitColumns(dialog);
     return dialog.exec();
 }
 
