@@ -6006,10 +6006,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Texturen</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>%1 makes one, %2 solves live</source>
         <translation>%1 erstellt eine, %2 löst live</translation>
     </message>
@@ -9819,8 +9815,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Delta ist schon %1 und kann nicht weiter</translation>
     </message>
     <message>
-        <source>Lambda and delta are set by hand now: undo, or %1 (%2), leaves them to the solver</source>
-        <translation>Lambda und Delta werden jetzt von Hand gesetzt: Rückgängig oder %1 (%2) überlässt sie wieder dem Löser</translation>
+        <source>Lambda and delta are set by hand now: undo, or %1, leaves them to the solver</source>
+        <translation>Lambda und Delta werden jetzt von Hand gesetzt: Rückgängig oder %1 überlässt sie wieder dem Solver</translation>
     </message>
 </context>
 <context>

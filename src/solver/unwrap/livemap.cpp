@@ -230,7 +230,10 @@ void LiveMap::steerMap(const JobContext &job)
     if (!mProblem.hasNewSizes() && mBest.given() && mSnapshot->uv && *mSnapshot->uv == mBest.given()->uv)
         findStanding(job);
     if (mProblem.problem().settings.seams == SeamMode::Only || (!mBest.best() && !mBest.given())) {
-        mStage = Stage::Begin;
+        mBack = nullptr;
+        if (returns)
+            mBest.forgetBest(); // it was dragged
+        mStage = returns ? Stage::Done : Stage::Begin;
         return;
     }
     if (mBack || !mBest.best()) {

@@ -132,6 +132,13 @@ void ActionRegistry::showToolTip(std::size_t i)
     mActions[i]->setToolTip(toolTip(actionTable()[i], mActions[i]->shortcut(), whyDisabled(mActions[i])));
 }
 
+QString ActionRegistry::nameWithKeys(const char *id) const
+{
+    const QAction *own = action(id);
+    const QString keys = own->shortcut().toString(QKeySequence::NativeText);
+    return keys.isEmpty() ? own->iconText() : QStringLiteral("%1 (%2)").arg(own->iconText(), keys);
+}
+
 QString ActionRegistry::whyDisabled(const QAction *action) const
 {
     const auto place =

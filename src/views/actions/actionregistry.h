@@ -29,6 +29,8 @@ public:
     //! \pre the id is in actionTable()
     QAction *action(const char *id) const;
     const std::vector<QAction *> &actions() const { return mActions; }
+    //! The name with its shortcut, if there is one: "Unwrap (U)". \pre the id is in actionTable()
+    QString nameWithKeys(const char *id) const;
     //! \pre the action is in actionTable()
     const ActionInfo &info(const QAction *action) const;
 

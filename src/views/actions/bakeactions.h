@@ -39,7 +39,7 @@ private:
     StudioContext mContext;
     Questions &mQuestions;
     jobs::BakeChoice mChoice;       //!< the one last made
-    QStringList mBaked;             //!< files that bakes have written: they are replaced without a question
+    QStringList mBaked;             //!< files of bakes before, which are replaced without a question
     jobs::CarryChoice mCarryChoice; //!< likewise, without what belongs to a model
     jobs::LightChoice mLight;       //!< likewise, for this document
     bool mHasLight = false;

@@ -207,10 +207,9 @@ void UvActions::setByHand(const SolveSettings &settings)
     if (!automatic)
         return;
     mAutomaticUntil = mTypedIndex - 1;
-    const QAction *budget = mContext.actions.action("uv.budget");
     Q_EMIT mContext.map.done(
-        tr("Lambda and delta are set by hand now: undo, or %1 (%2), leaves them to the solver")
-            .arg(budget->iconText(), budget->shortcut().toString(QKeySequence::NativeText)));
+        tr("Lambda and delta are set by hand now: undo, or %1, leaves them to the solver")
+            .arg(mContext.actions.nameWithKeys("uv.budget")));
 }
 
 void UvActions::takeUpHistory()

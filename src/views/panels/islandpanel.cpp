@@ -57,7 +57,8 @@ IslandPanel::IslandPanel(const StudioContext &context, QWidget *parent)
     connect(&context.map.jobs(), &JobRunner::busyChanged, this, [this] { refreshSoon(); });
     connect(&context.solver, &SolverController::stateChanged, this, [this] { refreshSoon(); });
     connect(&context.shownMap, &ShownMap::changed, this, [this, wasLive = false]() mutable {
-        if (std::exchange(wasLive, this->context().shownMap.isLive()) != wasLive)
+        const bool isLive = this->context().shownMap.isLive();
+        if (std::exchange(wasLive, isLive) != isLive)
             refreshSoon();
     });
     // A right click offers what can be done with the selected islands.

@@ -135,12 +135,8 @@ void MainWindow::makeViews()
     mUvView = new UvView(canvas, mTools, mSplitter);
     addViewButtons(*mMeshView, *mUvView, mActions);
     mUvView->setEmptyHint([this] {
-        const auto named = [this](const char *id) {
-            const QAction *action = mActions.action(id);
-            const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-            return keys.isEmpty() ? action->iconText() : tr("%1 (%2)").arg(action->iconText(), keys);
-        };
-        return tr("%1 makes one, %2 solves live").arg(named("uv.unwrap"), named("uv.run"));
+        return tr("%1 makes one, %2 solves live")
+            .arg(mActions.nameWithKeys("uv.unwrap"), mActions.nameWithKeys("uv.run"));
     });
     mSplitter->setSizes({1000, 1000});
     mSplitter->setChildrenCollapsible(false);
