@@ -8693,7 +8693,7 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
     <message>
         <source>The solve found no map of this model: Unwrap makes one of flat patches</source>
-        <translation>Der Löser fand keine Abwicklung dieses Modells: Abwickeln macht eine aus flachen Stücken</translation>
+        <translation>Der Solver fand keine Abwicklung dieses Modells: Abwickeln macht eine aus flachen Stücken</translation>
     </message>
 </context>
 <context>
