@@ -15,6 +15,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QScreen>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
@@ -168,6 +169,16 @@ private Q_SLOTS:
         QTest::keyClick(field, Qt::Key_Tab);
         QVERIFY(!field->hasFocus());
         QCOMPARE(shown(), before);
+        // In a list as well, but not while the mouse is over a view.
+        auto *const list = dock(studio, "islands")->findChild<QTableView *>();
+        for (const bool overView : {false, true}) {
+            QWidget *const at = overView ? static_cast<QWidget *>(&studio.window.uvView()) : list;
+            QTest::mouseMove(at);
+            QTRY_COMPARE(studio.window.uvView().underMouse(), overView);
+            list->setFocus();
+            QTest::keyClick(list, Qt::Key_Tab);
+            QCOMPARE(shown().isEmpty(), overView);
+        }
     }
 
     void hiddenPanelsComeBackAtTheNextStart()

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 
 namespace {
 
@@ -56,9 +57,10 @@ int ended(int code, QTextStream &out, QTextStream &err)
 } // namespace
 
 int main(int argc, char *argv[])
-{
+try {
     qInstallMessageHandler(dropWarnings);
     autocuts::ensureUtf8Locale();
+    qputenv("QT_NO_GLIB", "1"); // it crashes where memory ends, and no event loop needs it here
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("autocuts-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(AUTOCUTS_VERSION));
@@ -83,4 +85,7 @@ int main(int argc, char *argv[])
     const auto run = options->many ? autocuts::manyfiles::runBatch : autocuts::runCommand;
     const int code = run(options.value(), stopSource, autocuts::isOnTerminal(), out, err);
     return ended(code, out, err);
+} catch (const std::bad_alloc &) {
+    std::fputs("autocuts-cli: there is not enough memory. Close other programs\n", stderr);
+    std::_Exit(1);
 }

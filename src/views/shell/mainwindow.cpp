@@ -28,6 +28,7 @@
 #include "views/tools/studiotools.h"
 #include "views/ui/decimalkeys.h"
 #include "views/ui/icons.h"
+#include "views/ui/inputguard.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 
@@ -543,9 +544,10 @@ bool MainWindow::event(QEvent *event)
 //! True for a key that is not to trigger an action. A key whose action is disabled says why.
 bool MainWindow::takesKey(const QKeyEvent &key)
 {
-    // Away from the views Tab goes on to the next field.
+    // In a field, and away from the views, Tab goes on to the next one.
     const bool overView = mMeshView->underMouse() || mUvView->underMouse();
-    if (key.key() == Qt::Key_Tab && !overView && !qobject_cast<const Canvas *>(focusWidget()))
+    if (key.key() == Qt::Key_Tab && (!overView || isField(focusWidget())) &&
+        !qobject_cast<const Canvas *>(focusWidget()))
         return true;
     // Keys of the tool work wherever the focus is, as those of actions do; the view gets the focus back.
     if (const AbstractTool *tool = mTools.tool(); tool && mWorkspace.document() && tool->wantsKey(key) &&

@@ -29,13 +29,6 @@ bool isEditorInView(const QObject *object)
     return parent && qobject_cast<const QAbstractItemView *>(parent->parent());
 }
 
-bool isField(const QObject *object)
-{
-    const auto *combo = qobject_cast<const QComboBox *>(object);
-    return qobject_cast<const QAbstractSpinBox *>(object) || qobject_cast<const QLineEdit *>(object) ||
-           (combo && combo->isEditable());
-}
-
 //! Takes back what was typed and has not become the value.
 void forgetTyped(QWidget *field)
 {
@@ -100,6 +93,13 @@ bool isNotForLists(const QObject *object, const QKeyEvent &event)
 }
 
 } // namespace
+
+bool isField(const QObject *object)
+{
+    const auto *combo = qobject_cast<const QComboBox *>(object);
+    return qobject_cast<const QAbstractSpinBox *>(object) || qobject_cast<const QLineEdit *>(object) ||
+           (combo && combo->isEditable());
+}
 
 InputGuard::InputGuard(QWidget *root) : QObject(root)
 {

@@ -5,6 +5,9 @@
 
 namespace autocuts {
 
+//! True for a widget that text or numbers are typed into.
+bool isField(const QObject *object);
+
 //! For the controls below a widget:
 //! - Spin boxes, combo boxes and sliders use the wheel only while they have the focus; otherwise the panel
 //!   scrolls.
