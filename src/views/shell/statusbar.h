@@ -6,6 +6,7 @@
 #include <QStatusBar>
 #include <QTimer>
 
+class QLabel;
 class QProgressBar;
 class QToolButton;
 
