@@ -5350,16 +5350,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Mittlere Verzerrung der Insel, gleich wie groß sie ist: symmetrische Dirichlet-Energie, 4 wo nichts verzerrt ist</translation>
     </message>
     <message>
-        <source>Stack</source>
-        <translation>Stapel</translation>
-    </message>
-    <message>
         <source>Islands of one stack lie on top of each other</source>
         <translation>Inseln eines Stapels liegen übereinander</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Islands of one group move together</source>

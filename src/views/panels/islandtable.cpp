@@ -147,16 +147,25 @@ QVariant IslandTable::headerData(int section, Qt::Orientation orientation, int r
         {tr("D"),
          tr("Mean distortion of the island, whatever its size: symmetric Dirichlet energy, 4 where nothing "
             "is distorted")},
-        {tr("Stack"), tr("Islands of one stack lie on top of each other")},
-        {tr("Group"), tr("Islands of one group move together")},
+        {QString(), tr("Islands of one stack lie on top of each other")},
+        {QString(), tr("Islands of one group move together")},
     };
     if (role == Qt::DisplayRole)
         return titles[section].first;
     if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
         return titles[section].second;
-    if (role == Qt::DecorationRole && section == Lock)
+    if (role != Qt::DecorationRole)
+        return {};
+    switch (section) {
+    case Lock:
         return icon(QStringLiteral("lock"));
-    return {};
+    case Stack:
+        return icon(QStringLiteral("stack"));
+    case Group:
+        return icon(QStringLiteral("group"));
+    default:
+        return {};
+    }
 }
 
 Qt::ItemFlags IslandTable::flags(const QModelIndex &index) const
