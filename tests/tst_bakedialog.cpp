@@ -290,6 +290,12 @@ void TestBakeDialog::foreignPicturesAreAskedAbout()
     QCOMPARE(session.answers->confirmations.size(), 2);
     QVERIFY(!QImage(foreign.fileName()).isNull());
     QCOMPARE(session.document()->undoStack().undoText(), u"Bake"_s);
+    // Unless another program has changed it since.
+    QVERIFY(foreign.open(QIODevice::Append));
+    QVERIFY(foreign.setFileTime(QDateTime::currentDateTime().addSecs(60), QFileDevice::FileModificationTime));
+    foreign.close();
+    bake(true);
+    QCOMPARE(session.answers->confirmations.size(), 3);
 }
 
 void TestBakeDialog::faultsAreSaid()

@@ -17,6 +17,8 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <utility>
+
 namespace autocuts {
 
 BakeActions::BakeActions(const StudioContext &context, Questions &questions, QObject *parent)
@@ -36,6 +38,10 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
     });
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mHasLight = false; });
     connect(&context.map, &MapController::picturesBaked, this, [this] { show(Pattern::Physical); });
+    connect(&context.map.jobs(), &JobRunner::busyChanged, this, [this] {
+        if (!mContext.map.jobs().isBusy())
+            noteBaked();
+    });
     for (const auto signal : {&LiveBake::failed, &LiveBake::noticed})
         connect(&context.liveBake, signal, &context.map,
                 [map = &context.map](const QString &message) { Q_EMIT map->failed(message); });
@@ -43,6 +49,13 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
         if (mContext.view.options().pattern != Pattern::Baked)
             mContext.liveBake.stop();
     });
+}
+
+//! Notes the files of the bake that has ended, as they are now.
+void BakeActions::noteBaked()
+{
+    for (const QString &file : std::exchange(mBaking, {}))
+        mBaked[file] = QFileInfo(file).lastModified();
 }
 
 void BakeActions::setLight(const jobs::LightChoice &light)
@@ -58,7 +71,12 @@ void BakeActions::ask(const Document &document)
     if (!isFolder(first.folder))
         first.folder = proposedFolder(mContext.workspace, mContext.preferences);
     BakeDialog dialog(document, first, openFilters(), mQuestions);
-    dialog.setReplaceable(mBaked);
+    QStringList replaceable;
+    for (auto file = mBaked.cbegin(); file != mBaked.cend(); ++file) {
+        if (QFileInfo(file.key()).lastModified() == file.value())
+            replaceable << file.key();
+    }
+    dialog.setReplaceable(replaceable);
     const int answer = mQuestions.run(dialog);
     if (answer == QDialog::Rejected)
         return;
@@ -67,8 +85,7 @@ void BakeActions::ask(const Document &document)
         showLive();
         return;
     }
-    mBaked += dialog.files();
-    mBaked.removeDuplicates();
+    mBaking = dialog.files();
     mContext.map.bake(mChoice);
 }
 

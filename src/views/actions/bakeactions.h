@@ -7,6 +7,8 @@
 #include "views/control/studiocontext.h"
 #include "views/state/viewstate.h"
 
+#include <QDateTime>
+#include <QHash>
 #include <QObject>
 
 namespace autocuts {
@@ -34,12 +36,16 @@ private:
     void showLive();
     void askCarrying(const Document &document);
     void askLight(const Document &document);
+    void noteBaked();
     void show(Pattern pattern);
 
     StudioContext mContext;
     Questions &mQuestions;
-    jobs::BakeChoice mChoice;       //!< the one last made
-    QStringList mBaked;             //!< files of bakes before, which are replaced without a question
+    jobs::BakeChoice mChoice; //!< the one last made
+    QStringList mBaking;      //!< files of the bake that runs
+    //! The files of bakes before and when they were written: unless they were changed since, they are
+    //! replaced without a question.
+    QHash<QString, QDateTime> mBaked;
     jobs::CarryChoice mCarryChoice; //!< likewise, without what belongs to a model
     jobs::LightChoice mLight;       //!< likewise, for this document
     bool mHasLight = false;

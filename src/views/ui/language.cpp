@@ -53,8 +53,10 @@ Language effectiveLanguage(Language chosen, const QStringList &systemLanguages)
 void installLanguage(QCoreApplication &application, Language language)
 {
     initTranslations();
-    if (effectiveLanguage(language, QLocale::system().uiLanguages()) != Language::German)
+    if (effectiveLanguage(language, QLocale::system().uiLanguages()) != Language::German) {
+        install(application, QStringLiteral("autocuts_en"), {ownFolder}); // for texts with a number of one
         return;
+    }
     install(application, QStringLiteral("qtbase_de"),
             {QLibraryInfo::path(QLibraryInfo::TranslationsPath), ownFolder});
     install(application, QStringLiteral("autocuts_de"), {ownFolder});
