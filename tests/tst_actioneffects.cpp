@@ -142,6 +142,9 @@ private Q_SLOTS:
         studio.trigger("uv.unstack");
         studio.trigger("uv.ungroup");
         QCOMPARE(flags(), IslandFlags());
+        QSignalSpy said(&studio.context.map, &MapController::done);
+        studio.trigger("uv.ungroup");
+        QVERIFY(said.takeLast().at(0).toString().contains(QLatin1String("Nothing to do")));
     }
 
     void lambdaAndDeltaKeys()

@@ -1,6 +1,7 @@
 // What both views draw, pixel by pixel, and what they refill after an event.
 #include "commands/changesettings.h"
 #include "commands/editrectangles.h"
+#include "commands/setislandflags.h"
 #include "commands/setseamstate.h"
 #include "commands/setuvs.h"
 #include "support/canvases.h"
@@ -261,6 +262,12 @@ private Q_SLOTS:
         settings.seams = SeamMode::Keep;
         pushCommand(std::make_unique<ChangeSettings>(document, settings));
         QCOMPARE(content.refresh(), int(SceneContent::Sides));
+        // What is drawn over the map changes no buffer, but the views have to draw it.
+        QSignalSpy changed(&content, &SceneContent::changed);
+        pushCommand(
+            std::make_unique<SetIslandFlags>(document, SetIslandFlags::Edit::Group, std::vector<int>{0}));
+        QCOMPARE(changed.count(), 1);
+        document.undoStack().undo();
         // The border between the islands: once in the model, on both sides in the map.
         QVERIFY(drawn(mStudio->mesh) > 100 && drawn(mStudio->uv) > 100);
         document.undoStack().undo();

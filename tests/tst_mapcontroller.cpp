@@ -52,6 +52,32 @@ private Q_SLOTS:
         QVERIFY(studio.failed.last().at(0).toString().contains(QLatin1String("unwrap first")));
     }
 
+    //! Two faces that hard pins hold on each other: no job takes them apart, and each says so.
+    void heldOverlapsAreSaid()
+    {
+        Studio studio("torus");
+        studio.layOut(false);
+        const MeshData &mesh = studio.document().mesh();
+        UvMatrix uv = studio.document().uv();
+        const int corners = mesh.faceStart[1];
+        QCOMPARE(mesh.faceStart[2], 2 * corners);
+        uv.middleRows(corners, corners) = uv.topRows(corners);
+        pushCommand(std::make_unique<SetUvs>(studio.document(), UvEdit::Move, uv));
+        std::vector<UvPin> pins;
+        for (int c = 0; c < 2 * corners; ++c)
+            pins.push_back({c, uv.row(c).transpose()});
+        pushCommand(std::make_unique<EditPins>(studio.document(), EditPins::Edit::Pin, pins));
+        const auto said = [&] {
+            return studio.ends() && studio.failed.count() == 1 &&
+                   studio.failed.takeLast().at(0).toString().contains(
+                       QLatin1String("hold faces on each other"));
+        };
+        studio.map.finish();
+        QVERIFY(said());
+        studio.map.unwrap(UnwrapQuality::Draft);
+        QVERIFY(said());
+    }
+
     //! Hidden faces are mapped again only if the user says so; that is asked once.
     void hiddenFacesAreAskedAbout()
     {

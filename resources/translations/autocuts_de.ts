@@ -5306,6 +5306,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Islands of the map before: %1, selected: %2. The list follows once the new map is there.</source>
         <translation>Inseln der vorigen Map: %1, ausgewählt: %2. Die Liste folgt, sobald die neue Map da ist.</translation>
     </message>
+    <message>
+        <source>Nothing to do: the selected islands are so already</source>
+        <translation>Nichts zu tun: Die ausgewählten Inseln sind schon so</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::IslandTable</name>
@@ -6706,6 +6710,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Unwrapping ended early, with the best map so far: distortion %1</source>
         <translation>Das Abwickeln endete vorzeitig mit der bisher besten Map: Verzerrung %1</translation>
+    </message>
+    <message>
+        <source>%1. Pins or locks hold faces on each other: remove some of them</source>
+        <translation>%1. Pins oder Sperren halten Flächen aufeinander: entfernen Sie einige davon</translation>
     </message>
 </context>
 <context>
@@ -9809,6 +9817,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Lambda and delta are set by hand now: undo, or %1, leaves them to the solver</source>
         <translation>Lambda und Delta werden jetzt von Hand gesetzt: Rückgängig oder %1 überlässt sie wieder dem Solver</translation>
+    </message>
+    <message>
+        <source>Nothing to do: the selected islands are so already</source>
+        <translation>Nichts zu tun: Die ausgewählten Inseln sind schon so</translation>
     </message>
 </context>
 <context>

@@ -253,8 +253,8 @@ void UvActions::setFlags(SetIslandFlags::Edit edit)
 {
     Document &document = *mContext.workspace.document();
     const std::vector<int> islands = document.islands().islandsOf(facesOf(document, document.selection()));
-    if (!islands.empty())
-        pushCommand(std::make_unique<SetIslandFlags>(document, edit, islands));
+    if (!islands.empty() && !pushCommand(std::make_unique<SetIslandFlags>(document, edit, islands)))
+        Q_EMIT mContext.map.done(tr("Nothing to do: the selected islands are so already"));
 }
 
 void UvActions::pinSelected()

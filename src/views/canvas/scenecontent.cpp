@@ -99,7 +99,9 @@ void SceneContent::documentChanged(const ChangeEvent &event)
         mark(Points);
         break;
     case ChangeEvent::Type::Rectangle:
-        mark(0);
+    case ChangeEvent::Type::IslandFlag:
+    case ChangeEvent::Type::Tag:
+        mark(0); // they are drawn over the map
         break;
     case ChangeEvent::Type::PackingSettings: // texels may have another size
         mark(mOptions.coloring == Coloring::Density ? Faces : 0);
@@ -112,8 +114,6 @@ void SceneContent::documentChanged(const ChangeEvent &event)
     case ChangeEvent::Type::Model: // the workspace says that the document was replaced
     case ChangeEvent::Type::Uv:    // ShownMap reports the change when the map is shown
     case ChangeEvent::Type::UvSet:
-    case ChangeEvent::Type::IslandFlag:
-    case ChangeEvent::Type::Tag:
     case ChangeEvent::Type::SharedMeshes:
     case ChangeEvent::Type::Textures: // ModelPictures reads them
         break;

@@ -5,6 +5,7 @@
 #include "solver/live/worker.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/metrics/uvoverlaps.h"
+#include "solver/overlap/overlapfinder.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
 #include "solver/preference/meshsymmetry.h"
@@ -74,6 +75,22 @@ QString aboveBound(double distortion, double bound)
 void showUnmet(const MapInput &input, const unwrap::UnmetSteering &unmet, MapJobResult &result)
 {
     result.problem = unmetText(input.snapshot, unmet, result.problemItems);
+}
+
+//! Says it where faces that have to stay lie on others: no job takes them apart.
+void sayHeldOverlaps(const MapInput &input, MapJobResult &result)
+{
+    const Steering &steering = *input.snapshot.steering;
+    const bool stacks =
+        std::ranges::any_of(steering.faceFlags, [](const IslandFlags &f) { return f.stack != 0; });
+    const bool holds =
+        std::ranges::any_of(steering.pins, &Pin::hard) ||
+        std::ranges::any_of(steering.faceFlags, [](const IslandFlags &f) { return f.locked != 0; });
+    if (!result.problem.isEmpty() || result.uv.rows() == 0 || stacks || !holds ||
+        overlap::findOverlaps(soupUv(input.mesh(), result.uv)).pairs.empty())
+        return;
+    result.problem =
+        JobTexts::tr("%1. Pins or locks hold faces on each other: remove some of them").arg(result.message);
 }
 
 } // namespace
@@ -246,6 +263,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         result.problem = aboveBound(distortion, options.maxDistortion);
     else if (made.symmetry)
         saySymmetry(made, input.mesh(), result);
+    sayHeldOverlaps(input, result);
     return result;
 }
 
@@ -300,6 +318,7 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
                              .arg(result.message)
                              .arg(made.notReplaced);
     sayStraight(control.stop(), made.straight, result);
+    sayHeldOverlaps(input, result);
     return result;
 }
 
@@ -422,6 +441,7 @@ MapJobResult separated(const MapInput &input, const unwrap::SeparateResult &made
             result.problem =
                 JobTexts::tr("Overlaps inside single polygons or across joined edges, which stay whole: %1")
                     .arg(made.unresolvedPairs);
+        sayHeldOverlaps(input, result);
         break;
     case Outcome::NoOverlaps:
         result.message = JobTexts::tr("There are no overlaps: the map stays as it is");

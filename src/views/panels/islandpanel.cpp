@@ -286,8 +286,9 @@ void IslandPanel::mark(SetIslandFlags::Edit edit, const std::vector<int> &island
     if (!document())
         return;
     const auto exists = [this](int island) { return island < document()->islands().count(); };
-    if (std::all_of(islands.begin(), islands.end(), exists))
-        pushCommand(std::make_unique<SetIslandFlags>(*document(), edit, islands));
+    if (std::all_of(islands.begin(), islands.end(), exists) &&
+        !pushCommand(std::make_unique<SetIslandFlags>(*document(), edit, islands)))
+        Q_EMIT context().map.done(tr("Nothing to do: the selected islands are so already"));
 }
 
 void IslandPanel::readDensity()
