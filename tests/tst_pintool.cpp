@@ -192,6 +192,21 @@ private Q_SLOTS:
         }
     }
 
+    //! While a solve or a job shows its map, an island is one of that map.
+    void islandsOfTheShownMapArePinned()
+    {
+        Selection islands;
+        islands.mode = SelectionMode::Islands;
+        document().setSelection(islands);
+        UvMatrix joined = document().uv(); // its two islands in one
+        for (Eigen::Index c = 0; c < joined.rows(); ++c)
+            joined(c, 0) -= document().islands().islandOfFace(document().adjacency().faceOfCorner(int(c)));
+        mStudio->shown.showMap(joined);
+        QTRY_VERIFY(mStudio->shown.uv() == soupUv(document().mesh(), joined));
+        click({0.3, 0.3});
+        QCOMPARE(pins().size(), std::size_t(joined.rows()));
+    }
+
     void pinsOfLockedIslandsStay()
     {
         click({0.25, 0.25});

@@ -6,6 +6,9 @@
 #include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
 #include "views/control/studiocontext.h"
+#include "views/gl/soupbuffers.h"
+
+#include <set>
 
 namespace autocuts {
 
@@ -57,11 +60,26 @@ std::vector<UvPin> pinsOfVertex(const Document &document, const ToolCanvas &canv
     return pins;
 }
 
-std::vector<UvPin> pinsOfIslands(const Document &document, const UvMatrix &soupUv, const QList<int> &faces)
+std::vector<UvPin> pinsOfIslands(const Document &document, const ShownMap &shown, const QList<int> &faces)
 {
-    const Islands &islands = document.islands();
-    const std::vector<int> corners = islands.corners(document.mesh(), islands.islandsOf(faces));
-    return pinsAt(document.mesh(), soupUv, {corners.begin(), corners.end()});
+    const MeshData &mesh = document.mesh();
+    QList<int> corners;
+    if (shown.isLive()) {
+        const std::vector<int> islands = liveIslands(mesh, shown.separation());
+        std::set<int> wanted;
+        for (const int face : faces)
+            wanted.insert(islands[face]);
+        for (int face = 0; face < mesh.faceCount(); ++face) {
+            for (int c = mesh.faceStart[face]; wanted.contains(islands[face]) && c < mesh.faceStart[face + 1];
+                 ++c)
+                corners << c;
+        }
+    } else {
+        const Islands &islands = document.islands();
+        for (const int corner : islands.corners(mesh, islands.islandsOf(faces)))
+            corners << corner;
+    }
+    return pinsAt(mesh, shown.uv(), corners);
 }
 
 std::vector<UvPin> pinsWith(const Document &document, const UvPin &pin)

@@ -101,7 +101,7 @@ void PinTool::grab(const ToolEvent &event)
         return;
     }
     const int face = document.adjacency().faceOfCorner(pin->corner);
-    for (const UvPin &other : pinsOfIslands(document, context().shownMap.uv(), {face})) {
+    for (const UvPin &other : pinsOfIslands(document, context().shownMap, {face})) {
         if (const UvPin *own = document.constraints().pin(other.corner))
             mPins.push_back(*own);
     }
@@ -211,9 +211,9 @@ std::vector<UvPin> PinTool::pinsUnder(const ToolEvent &event) const
     if (!islandMode())
         return mPick.soupCorner >= 0 ? pinsOfVertex(document, event.canvas, mPick.soupCorner)
                                      : std::vector<UvPin>();
-    return mPick.triangle >= 0 ? pinsOfIslands(document, context().shownMap.uv(),
-                                               {document.mesh().triangleFace[mPick.triangle]})
-                               : std::vector<UvPin>();
+    return mPick.triangle >= 0
+               ? pinsOfIslands(document, context().shownMap, {document.mesh().triangleFace[mPick.triangle]})
+               : std::vector<UvPin>();
 }
 
 void PinTool::toggle(const std::vector<UvPin> &pins, bool shift)
@@ -246,9 +246,9 @@ void PinTool::applyBox(const ToolEvent &event)
     Document &document = *context().workspace.document();
     const BoxPick box = event.canvas.pickBox(QRectF(mStart, mEnd).normalized());
     const UvMatrix &uv = context().shownMap.uv();
-    std::vector<UvPin> pins = islandMode()
-                                  ? pinsOfIslands(document, uv, {box.faces.begin(), box.faces.end()})
-                                  : pinsAt(document.mesh(), uv, {box.corners.begin(), box.corners.end()});
+    std::vector<UvPin> pins =
+        islandMode() ? pinsOfIslands(document, context().shownMap, {box.faces.begin(), box.faces.end()})
+                     : pinsAt(document.mesh(), uv, {box.corners.begin(), box.corners.end()});
     if (event.modifiers.testFlag(Qt::ControlModifier)) {
         std::vector<int> corners;
         for (const UvPin &pin : pins)
