@@ -14,8 +14,9 @@ public:
     //! Stored in journals by number.
     enum class Edit { Lock, Unlock, Stack, Unstack, Group, Ungroup, Clear, KeepOrientation, FreeOrientation };
 
-    //! Stack and Group put all islands into one new stack or group; Clear removes all flags.
-    //! \param islands indices in Document::islands(), in any order
+    //! Stack and Group put all islands into one new stack or group; Clear removes all flags. An island that
+    //! all others of its stack or group leave is taken out of it as well, here and by stackEach(). \param
+    //! islands indices in Document::islands(), in any order
     SetIslandFlags(Document &document, Edit edit, const std::vector<int> &islands);
 
     CommandId commandId() const override { return CommandId::SetIslandFlags; }

@@ -37,7 +37,7 @@ struct UnwrapResult
     //! Lambda and delta of the separation at the end. The seam search has mu / (1 + mu) and 0.
     double lambda = 0, delta = 0;
     bool stopped = false;    //!< the job was stopped: this is the best map until then
-    bool withinBound = true; //!< false when the bound was not met
+    bool withinBound = true; //!< the whole map, or what may change, keeps to the bound
     //! No map was found but one of many near-flat patches: the job was stopped early, or the mesh is odd.
     bool onlyPatches = false;
     double hardShare =
