@@ -169,6 +169,20 @@ private Q_SLOTS:
         QCOMPARE(beside, map.triangleCount());
     }
 
+    //! A large map is not looked through in one go, even where nothing of it is drawn.
+    void aLargeMapIsLookedThroughInParts()
+    {
+        const MeshPtr mesh = test::grid(160);
+        const std::vector<float> uvs = stackedUvs(*mesh);
+        const std::vector<FaceTexel> faces(mesh->triangleCount());
+        const MapOnPixels map{uvs, faces, {0, 0}, {side, side}, {0, 0}, side};
+        int next = 0;
+        QVERIFY(trianglesInStrip(map, 0.9 * side, side, 1e9, next).first.empty());
+        QVERIFY(next > 0 && next < map.triangleCount());
+        QVERIFY(trianglesInStrip(map, 0.9 * side, side, 1e9, next).first.empty());
+        QCOMPARE(next, map.triangleCount());
+    }
+
     void meanwhileTheLastOneIsShown()
     {
         MapScene scene = sceneOf(test::grid(12), false, false);
@@ -255,7 +269,7 @@ private:
     QImage shown(GradualPicture &picture, const MapCamera &camera)
     {
         QOpenGLFramebufferObject target(QSize(side, side), smoothFormat());
-        picture.show(mGl->forMap(), target.handle(), camera);
+        picture.show(mGl->forMap(), target.handle(), target.size(), camera);
         return target.toImage();
     }
 

@@ -1,5 +1,5 @@
 // Several solvers at the same time give the bits that each gives alone.
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 #include "solver/definite/stitching.h"
 #include "solver/homotopy/anneal.h"
 #include "support/meshbuilders.h"
@@ -72,6 +72,23 @@ private Q_SLOTS:
         }
         QVERIFY(x[1] == x[0]);
         QVERIFY(x[2] == x[0]);
+    }
+
+    void rangesHoldEachStepOnce_data()
+    {
+        QTest::addColumn<int>("count");
+        for (const int count : {0, 1, 16384, 16385, 100'000})
+            QTest::addRow("%d", count) << count;
+    }
+    void rangesHoldEachStepOnce()
+    {
+        QFETCH(const int, count);
+        std::vector<int> calls(static_cast<std::size_t>(count), 0);
+        parallelRanges(count, [&](int first, int end) {
+            for (int i = first; i < end; ++i)
+                ++calls[static_cast<std::size_t>(i)];
+        });
+        QCOMPARE(calls, std::vector<int>(static_cast<std::size_t>(count), 1));
     }
 
     void aTeamRunsEveryJobOnce()

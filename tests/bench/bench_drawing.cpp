@@ -2,9 +2,10 @@
 //
 //   bench_drawing MESH [PICTURE]
 //
-// Prints the OpenGL that draws, then a line of JSON per phase: the gaps between turns of the event loop, and
-// the processor time that the GUI thread took in each, in milliseconds. Each event has a turn of its own, and
-// time to be drawn. With software OpenGL the gaps say nothing about a real machine.
+// Prints the OpenGL that draws, then a line of JSON per phase: the gaps between turns of the event loop, the
+// processor time that the GUI thread took in each, and the events of the worst one, in milliseconds. Each
+// event has a turn of its own, and time to be drawn. With software OpenGL the gaps say nothing about a real
+// machine.
 #include "bench/loopwatch.h"
 #include "support/studiosession.h"
 #include "views/actions/studioactions.h"
@@ -72,7 +73,7 @@ void drag(QWidget &view, Qt::MouseButton button, Qt::KeyboardModifiers modifiers
 
 int main(int argc, char *argv[])
 {
-    QApplication application(argc, argv);
+    TimedApplication application(argc, argv);
     const QStringList arguments = QApplication::arguments();
     if (arguments.size() < 2) {
         out() << "usage: bench_drawing MESH [PICTURE]" << Qt::endl;

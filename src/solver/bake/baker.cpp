@@ -1,6 +1,6 @@
 #include "solver/bake/baker.h"
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 
 #include <algorithm>
 #include <mutex>

@@ -1,9 +1,9 @@
 #include "solver/bake/carrying.h"
 
+#include "model/plain/parallel.h"
 #include "model/plain/sharpsampling.h"
 #include "model/plain/udimtiles.h"
 #include "solver/bake/dilation.h"
-#include "solver/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "solver/bake/dilation.h"
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,9 +1,9 @@
 #include "solver/bake/lightbake.h"
 
+#include "model/plain/parallel.h"
 #include "solver/bake/dilation.h"
 #include "solver/bake/lightdenoise.h"
 #include "solver/bake/seamevening.h"
-#include "solver/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

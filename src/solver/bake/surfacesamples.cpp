@@ -1,6 +1,6 @@
 #include "solver/bake/surfacesamples.h"
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 
 #include <Eigen/LU>
 

@@ -1,7 +1,7 @@
 // The distortion D of the map (paper, Eq. 2): area-weighted mean of a density over the triangles.
 #pragma once
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 #include "solver/base/soup.h"
 #include "solver/energy/energyterm.h"
 

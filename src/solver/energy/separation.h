@@ -1,7 +1,7 @@
 // Separation S of the corner pairs (paper, Eq. 3, 4 and 6, and appendix A).
 #pragma once
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 #include "solver/base/soup.h"
 #include "solver/energy/energyterm.h"
 

@@ -1,8 +1,8 @@
 // Multifrontal Cholesky factorisation in single precision of matrices of 2 x 2 blocks, for preconditioners.
 #pragma once
 
+#include "model/plain/parallel.h"
 #include "solver/base/lanes.h"
-#include "solver/base/parallel.h"
 #include "solver/linear/frontalstructure.h"
 #include "solver/linear/frontkernels.h"
 #include "solver/linear/linearsolver.h"

@@ -1,7 +1,7 @@
 // Search directions of the minimiser: approximate solutions p of H p = -g.
 #pragma once
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 #include "solver/base/soup.h"
 #include "solver/energy/energyterm.h"
 

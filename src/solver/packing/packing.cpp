@@ -1,6 +1,6 @@
 #include "solver/packing/packing.h"
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 #include "solver/packing/packsearch.h"
 #include "solver/packing/shelves.h"
 #include "solver/packing/singleisland.h"

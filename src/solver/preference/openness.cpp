@@ -1,6 +1,6 @@
 #include "solver/preference/openness.h"
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 #include "solver/preference/raytree.h"
 
 #include <Eigen/Geometry>

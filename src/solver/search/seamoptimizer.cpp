@@ -1,6 +1,6 @@
 #include "solver/search/seamoptimizer.h"
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 #include "solver/search/firstclusters.h"
 #include "solver/search/seamseeds.h"
 #include "solver/search/tutte.h"

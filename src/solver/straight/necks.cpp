@@ -1,7 +1,7 @@
 #include "solver/straight/necks.h"
 
+#include "model/plain/parallel.h"
 #include "solver/base/alignedborder.h"
-#include "solver/base/parallel.h"
 #include "solver/straight/island.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "solver/straight/straightening.h"
 
+#include "model/plain/parallel.h"
 #include "solver/base/cornerat.h"
-#include "solver/base/parallel.h"
 #include "solver/definite/definitemap.h"
 #include "solver/preference/seampreference.h"
 #include "solver/search/bentregions.h"

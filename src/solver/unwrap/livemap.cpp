@@ -1,6 +1,6 @@
 #include "solver/unwrap/livemap.h"
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
 #include "solver/unwrap/coarsemaps.h"

@@ -1,6 +1,6 @@
 #include "solver/unwrap/seamprices.h"
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 #include "solver/preference/seampreference.h"
 #include "solver/search/resteering.h"
 #include "solver/search/seamsearch.h"

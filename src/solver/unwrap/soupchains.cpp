@@ -1,6 +1,6 @@
 #include "solver/unwrap/soupchains.h"
 
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 #include "solver/definite/definitemap.h"
 #include "solver/homotopy/anneal.h"
 #include "solver/homotopy/budget.h"

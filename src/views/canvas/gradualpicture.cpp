@@ -86,7 +86,7 @@ void GradualPicture::warmUp(const MapRenderers &gl, const ViewColors &colors)
     begin(scene, {8, 8});
     while (mBusy)
         goOn(gl, 0);
-    show(gl, mDrawn->handle(), scene.camera);
+    show(gl, mDrawn->handle(), mPixels, scene.camera);
     gl.gl.glFinish();
     mShown.reset();
     mKnown = false;
@@ -239,11 +239,11 @@ void GradualPicture::complete(const MapRenderers &gl)
     mBusy = false;
 }
 
-void GradualPicture::show(const MapRenderers &gl, GLuint target, const MapCamera &camera)
+void GradualPicture::show(const MapRenderers &gl, GLuint target, const QSize &pixels, const MapCamera &camera)
 {
     const QColor &paper = mScene.colors.mapBackground;
     gl.gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
-    gl.gl.glViewport(0, 0, mPixels.width(), mPixels.height());
+    gl.gl.glViewport(0, 0, pixels.width(), pixels.height());
     gl.gl.glClearColor(paper.redF(), paper.greenF(), paper.blueF(), 1);
     gl.gl.glClear(GL_COLOR_BUFFER_BIT);
     if (!mShown)
@@ -253,12 +253,12 @@ void GradualPicture::show(const MapRenderers &gl, GLuint target, const MapCamera
     const double zoom = camera.scale() / mShown->scale();
     const Vec2 way = camera.scale() * mScene.pixelRatio * (mShown->centre() - camera.centre());
     QRectF place(QPointF(), zoom * size);
-    place.moveCenter({0.5 * mPixels.width() + way.x(), 0.5 * mPixels.height() - way.y()});
+    place.moveCenter({0.5 * pixels.width() + way.x(), 0.5 * pixels.height() - way.y()});
     if (!mBlitter.isCreated())
         mBlitter.create();
     mBlitter.bind();
     mBlitter.blit(mComplete->texture(),
-                  QOpenGLTextureBlitter::targetTransform(place, QRect(QPoint(), mPixels)),
+                  QOpenGLTextureBlitter::targetTransform(place, QRect(QPoint(), pixels)),
                   QOpenGLTextureBlitter::OriginBottomLeft);
     mBlitter.release();
 }

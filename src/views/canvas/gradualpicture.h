@@ -61,8 +61,11 @@ public:
     void goOn(const MapRenderers &gl, int milliseconds);
     //! Gives up the scene that is being drawn.
     void abandon();
+    //! True when there is a complete scene.
+    bool isShown() const { return mShown.has_value(); }
     //! Copies the last complete scene into a framebuffer, moved to where another camera sees it.
-    void show(const MapRenderers &gl, GLuint target, const MapCamera &camera);
+    //! \param pixels size of the framebuffer
+    void show(const MapRenderers &gl, GLuint target, const QSize &pixels, const MapCamera &camera);
 
 private:
     enum class Layer { Paper, Ghost, Map, Points };

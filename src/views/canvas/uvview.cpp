@@ -27,6 +27,9 @@ namespace {
 //! Milliseconds that the picture may take within a paint event, and in one turn of the event loop. Chosen by
 //! hand.
 constexpr int timeOfPaint = 8, timeOfPieces = 16;
+//! Milliseconds after which a view keeps its size: until then it shows the last picture, for a driver takes
+//! long to make room for another size. Chosen by hand.
+constexpr int timeToSettle = 100;
 
 //! True when a hidden face has UVs.
 bool hidesUvs(const Document &document)
@@ -48,6 +51,9 @@ UvView::UvView(const StudioContext &context, ToolManager &tools, QWidget *parent
     setObjectName(u"uvView"_s);
     mDrawSoon.setSingleShot(true);
     connect(&mDrawSoon, &QTimer::timeout, this, &UvView::drawOn);
+    mSizeSettles.setSingleShot(true);
+    mSizeSettles.setInterval(timeToSettle);
+    connect(&mSizeSettles, &QTimer::timeout, this, qOverload<>(&UvView::update));
     connect(&context.shownMap, &ShownMap::changed, this, [this] {
         const bool isLive = studio().shownMap.isLive();
         if (isLive && studio().view.options().followMap)
@@ -271,12 +277,13 @@ bool UvView::showGradually(GlResources &gl)
     GradualPicture &picture = gl.gradual;
     const bool arraysFirst =
         content().isLarge() && !content().isUpToDate(); // not while the 3D view is painted
-    if (!arraysFirst && !picture.isBusy() && !picture.has(scene(gl), pixels)) {
+    const bool lastOneDoes = picture.isShown() && mSizeSettles.isActive();
+    if (!arraysFirst && !lastOneDoes && !picture.isBusy() && !picture.has(scene(gl), pixels)) {
         upload();
         picture.begin(scene(gl), pixels);
         picture.goOn(gl.forMap(), timeOfPaint);
     }
-    picture.show(gl.forMap(), defaultFramebufferObject(), mCamera);
+    picture.show(gl.forMap(), defaultFramebufferObject(), pixels, mCamera);
     if (picture.isBusy() || arraysFirst)
         mDrawSoon.start();
     return true;
@@ -382,6 +389,7 @@ void UvView::zoomAt(double factor, const QPointF &pixel)
 
 void UvView::viewResized()
 {
+    mSizeSettles.start();
     mCamera.setViewSize(size());
     if (mFramesAll)
         frameAll();

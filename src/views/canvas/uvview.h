@@ -61,6 +61,7 @@ private:
     std::function<QString()> mEmptyHint;
     MapCamera mCamera;
     QTimer mDrawSoon;       //!< goes on with the picture
+    QTimer mSizeSettles;    //!< runs while the view gets one size after another
     bool mFramesAll = true; //!< shows everything, also when its size changes, until the camera is moved
     bool mWasLive = false;  //!< ShownMap::isLive() at its last change
     StateToken mJobsBegin;  //!< of the document when the last job began

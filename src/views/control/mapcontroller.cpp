@@ -26,13 +26,26 @@ constexpr int measureDelay = 250;
 //! Milliseconds without an edit after which a job begins again. Chosen by hand.
 constexpr int editDelay = 300;
 
+void putActiveFirst(std::vector<UvSet> &sets, const Document &document)
+{
+    const auto active = sets.begin() + document.activeUvSet();
+    std::rotate(sets.begin(), active, active + 1);
+}
+
 //! The document, its active UV set being the first one.
 DocumentState activeFirst(const Document &document)
 {
     DocumentState model = document.state();
-    std::vector<UvSet> &sets = model.scene.uvSets;
-    const auto active = sets.begin() + document.activeUvSet();
-    std::rotate(sets.begin(), active, active + 1);
+    putActiveFirst(model.scene.uvSets, document);
+    return model;
+}
+
+//! Not all of the document: it is copied after each edit.
+MeasuredModel modelToMeasure(const Document &document)
+{
+    MeasuredModel model{document.state().scene, document.marks().faceFlags, document.packingSettings(),
+                        document.weightedMesh()};
+    putActiveFirst(model.scene.uvSets, document);
     return model;
 }
 
@@ -556,9 +569,7 @@ void MapController::measure()
         return;
     mMeasuring.start(
         tr("Measuring"),
-        [mesh = document->weightedMesh(), model = activeFirst(*document)](JobControl &control) {
-            return measuredMap(model, *mesh, control);
-        },
+        [model = modelToMeasure(*document)](JobControl &control) { return measuredMap(model, control); },
         [this, token = document->token(), figureChanges = mFigureChanges](MapFigures figures) {
             mFigures = std::move(figures);
             mFigures->token = token;

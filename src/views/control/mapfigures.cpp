@@ -88,14 +88,14 @@ void ofDocument(MapFigures &figures, const MeshData &mesh, const UvMatrix &file,
 
 } // namespace
 
-MapFigures measuredMap(const DocumentState &model, const MeshData &mesh, JobControl &control)
+MapFigures measuredMap(const MeasuredModel &model, JobControl &control)
 {
-    const PackingSettings &packing = model.packingSettings;
+    const PackingSettings &packing = model.packing;
+    const MeshData &mesh = *model.mesh;
     const UvMatrix &uv = model.scene.uvSets.front().uv;
     const Scene file = asWritten(model.scene, model.scene.format, packing.tileHeight());
     const UvMatrix &map = file.uvSets.front().uv;
-    MapFigures figures =
-        measured(mesh, map, withInstanceStacks(file, model.marks.faceFlags), packing, control);
+    MapFigures figures = measured(mesh, map, withInstanceStacks(file, model.faceFlags), packing, control);
     ofDocument(figures, mesh, map, uv, packing, control);
     figures.tileMaterial = materialsOfTiles(model.scene, mesh, map, packing.tileHeight());
     return figures;

@@ -1,12 +1,15 @@
 // The figures of the document's map.
 #pragma once
 
-#include "model/document/documentstate.h"
+#include "model/document/scene.h"
+#include "model/plain/islandflags.h"
+#include "model/plain/packingsettings.h"
 #include "model/plain/statetoken.h"
 #include "solver/metrics/uvmetrics.h"
 
 #include <array>
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace autocuts {
@@ -30,9 +33,17 @@ struct MapFigures
     std::vector<std::array<int, 2>> overlapPairs;    //!< pairs of triangles, the largest overlap first
 };
 
+//! What the figures of a document depend on.
+struct MeasuredModel
+{
+    Scene scene; //!< its first UV set is the one that is measured
+    std::vector<IslandFlags> faceFlags;
+    PackingSettings packing;
+    std::shared_ptr<const MeshData> mesh; //!< with the painted texel weights
+};
+
 //! Measures the map of the file that a model will be: objects that share a mesh have one map there, and lie
-//! on each other on purpose. Takes long. \param model its active UV set is the first one \param mesh with the
-//! painted texel weights
-MapFigures measuredMap(const DocumentState &model, const MeshData &mesh, JobControl &control);
+//! on each other on purpose. Takes long.
+MapFigures measuredMap(const MeasuredModel &model, JobControl &control);
 
 } // namespace autocuts

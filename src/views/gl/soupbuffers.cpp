@@ -1,6 +1,7 @@
 #include "views/gl/soupbuffers.h"
 
 #include "model/document/islandcolor.h"
+#include "model/plain/parallel.h"
 #include "model/plain/picture.h"
 #include "model/plain/shadingnormals.h"
 #include "model/plain/unionfind.h"
@@ -152,48 +153,58 @@ bool showsMap(Coloring coloring)
            coloring == Coloring::Density;
 }
 
+//! A colour per island.
+std::vector<QRgb> islandColors(const FaceInput &input)
+{
+    std::vector<QRgb> colors;
+    if (input.options.coloring == Coloring::Islands && !input.islands.empty()) {
+        const int islands = 1 + *std::max_element(input.islands.begin(), input.islands.end());
+        for (int island = 0; island < islands; ++island)
+            colors.push_back(islandColor(island));
+    }
+    return colors;
+}
+
+//! The colour of a triangle, but for painted weights.
+QRgb triangleColor(const FaceInput &input, std::span<const QRgb> islandColors, int t)
+{
+    const QRgb plain = input.plain.rgb();
+    if (showsMap(input.options.coloring) && !hasUv(input.uv, t))
+        return plain;
+    switch (input.options.coloring) {
+    case Coloring::Islands: {
+        const int island = input.islands[input.mesh.triangleFace[t]];
+        return island >= 0 ? islandColors[island] : plain;
+    }
+    case Coloring::SignedStretch:
+        return heatColor(HeatMap::SignedStretch, input.colorBlind,
+                         input.stretch.areaLog2[t] / std::max(input.options.stretchClamp, 1e-6));
+    case Coloring::StretchMagnitude:
+        return heatColor(HeatMap::Magnitude, input.colorBlind,
+                         (input.stretch.dirichlet[t] - 4) / std::max(input.options.magnitudeClamp - 4, 1e-6));
+    case Coloring::Density:
+        return densityColor(input.density[t] / input.rightDensity, input.options);
+    case Coloring::TexelWeights:
+        return texelWeightColor(input.texelWeights.empty() ? 1
+                                                           : input.texelWeights[input.mesh.triangleFace[t]]);
+    case Coloring::VertexColors:
+        return vertexColor(input.vertexColors, input.mesh.triangles[t], plain);
+    default:
+        return plain;
+    }
+}
+
 //! The colour of every triangle, without marks.
 std::vector<QRgb> triangleColors(const FaceInput &input)
 {
-    const int count = input.mesh.triangleCount();
     if (input.options.coloring == Coloring::PaintWeights)
         return paintColors(input);
-    std::vector<QRgb> colors(count, input.plain.rgb());
-    std::vector<QRgb> islandColors;
-    for (int t = 0; t < count; ++t) {
-        if (showsMap(input.options.coloring) && !input.uv.middleRows(3 * t, 3).allFinite())
-            continue;
-        switch (input.options.coloring) {
-        case Coloring::Islands:
-            if (const int island = input.islands[input.mesh.triangleFace[t]]; island >= 0) {
-                while (std::ssize(islandColors) <= island)
-                    islandColors.push_back(islandColor(static_cast<int>(islandColors.size())));
-                colors[t] = islandColors[island];
-            }
-            break;
-        case Coloring::SignedStretch:
-            colors[t] = heatColor(HeatMap::SignedStretch, input.colorBlind,
-                                  input.stretch.areaLog2[t] / std::max(input.options.stretchClamp, 1e-6));
-            break;
-        case Coloring::StretchMagnitude:
-            colors[t] = heatColor(HeatMap::Magnitude, input.colorBlind,
-                                  (input.stretch.dirichlet[t] - 4) /
-                                      std::max(input.options.magnitudeClamp - 4, 1e-6));
-            break;
-        case Coloring::Density:
-            colors[t] = densityColor(input.density[t] / input.rightDensity, input.options);
-            break;
-        case Coloring::TexelWeights:
-            colors[t] = texelWeightColor(
-                input.texelWeights.empty() ? 1 : input.texelWeights[input.mesh.triangleFace[t]]);
-            break;
-        case Coloring::VertexColors:
-            colors[t] = vertexColor(input.vertexColors, input.mesh.triangles[t], input.plain.rgb());
-            break;
-        default:
-            break;
-        }
-    }
+    std::vector<QRgb> colors(input.mesh.triangleCount());
+    const std::vector<QRgb> ofIslands = islandColors(input);
+    parallelRanges(input.mesh.triangleCount(), [&](int first, int end) {
+        for (int t = first; t < end; ++t)
+            colors[t] = triangleColor(input, ofIslands, t);
+    });
     return colors;
 }
 
@@ -209,15 +220,17 @@ std::vector<FaceTexel> faceTexels(const FaceInput &input)
     for (int face : input.hiddenFaces)
         faceMarks[face] |= FaceTexel::Hidden;
     std::vector<FaceTexel> texels(mesh.triangleCount());
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        quint8 marks = faceMarks[mesh.triangleFace[t]];
-        if (input.options.problems && input.flipped[t])
-            marks |= FaceTexel::Flipped;
-        if (!hasUv(input.uv, t))
-            marks |= FaceTexel::WithoutUv;
-        texels[t] = {static_cast<quint8>(qRed(colors[t])), static_cast<quint8>(qGreen(colors[t])),
-                     static_cast<quint8>(qBlue(colors[t])), marks};
-    }
+    parallelRanges(mesh.triangleCount(), [&](int first, int end) {
+        for (int t = first; t < end; ++t) {
+            quint8 marks = faceMarks[mesh.triangleFace[t]];
+            if (input.options.problems && input.flipped[t])
+                marks |= FaceTexel::Flipped;
+            if (!hasUv(input.uv, t))
+                marks |= FaceTexel::WithoutUv;
+            texels[t] = {static_cast<quint8>(qRed(colors[t])), static_cast<quint8>(qGreen(colors[t])),
+                         static_cast<quint8>(qBlue(colors[t])), marks};
+        }
+    });
     if (input.options.problems) {
         for (int t : input.overlapping) {
             if (t >= 0 && t < mesh.triangleCount())
@@ -272,26 +285,31 @@ void setTopLine(const SideInput &input, int pairIndex, int which, SideTexel &tex
         texel.top = static_cast<quint8>(SideStyle::Seam);
 }
 
+SideTexel sideTexel(const SideInput &input, int side)
+{
+    SideTexel texel;
+    const int edge = input.topology.sideEdge[side];
+    if (edge < 0)
+        return texel;
+    const bool border = edge >= std::ssize(input.mesh.edgePairs);
+    if (input.options.wireframe || border)
+        texel.base = static_cast<quint8>(border ? SideStyle::Border : SideStyle::Wire);
+    if (!border && input.options.steering && input.seams.straight[2 * edge] != 0)
+        texel.base = static_cast<quint8>(SideStyle::Straight); // a wide line below that of a seam
+    if (!border)
+        setTopLine(input, edge, input.topology.edgeSides[edge][0] == side ? 0 : 1, texel);
+    return texel;
+}
+
 } // namespace
 
 std::vector<SideTexel> sideTexels(const SideInput &input)
 {
-    const int pairCount = static_cast<int>(input.mesh.edgePairs.size());
     std::vector<SideTexel> texels(input.topology.sideEdge.size());
-    for (std::size_t side = 0; side < texels.size(); ++side) {
-        const int edge = input.topology.sideEdge[side];
-        if (edge < 0)
-            continue;
-        SideTexel &texel = texels[side];
-        const bool border = edge >= pairCount;
-        if (input.options.wireframe || border)
-            texel.base = static_cast<quint8>(border ? SideStyle::Border : SideStyle::Wire);
-        if (!border && input.options.steering && input.seams.straight[2 * edge] != 0)
-            texel.base = static_cast<quint8>(SideStyle::Straight); // a wide line below that of a seam
-        if (!border)
-            setTopLine(input, edge, input.topology.edgeSides[edge][0] == static_cast<int>(side) ? 0 : 1,
-                       texel);
-    }
+    parallelRanges(static_cast<int>(texels.size()), [&](int first, int end) {
+        for (int side = first; side < end; ++side)
+            texels[side] = sideTexel(input, side);
+    });
     for (int edge : input.selectedEdges) {
         for (int side : input.topology.edgeSides[edge]) {
             if (side >= 0)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/meshdata.h"
+#include "views/gl/meshframe.h"
 
 #include <limits>
 #include <vector>
@@ -41,6 +42,8 @@ private:
         double area = 0;
         double target = 0; //!< area with sides multiplied by the texel weight, as all lengths here
     };
+
+    static Shape shapeOf(const MeshData &mesh, const MeshFrame &frame, int triangle);
 
     std::vector<Shape> mShapes;
 };

@@ -11,6 +11,8 @@ namespace {
 constexpr double ownWeight = 16;
 //! Triangles outside of the strip that are drawn with their neighbours, so that runs are long.
 constexpr int mostBetween = 32;
+//! Triangles that are looked at in one call: some two milliseconds. Chosen by hand.
+constexpr int mostLookedAt = 40'000;
 
 } // namespace
 
@@ -20,7 +22,8 @@ TriangleRuns trianglesInStrip(const MapOnPixels &map, double lowRow, double high
     TriangleRuns runs;
     const double edge = 1; // a triangle may touch the pixels beside it
     int end = -1;          // of the last run
-    for (; next < map.triangleCount() && runs.weight < mostWeight; ++next) {
+    const int stop = std::min(next + mostLookedAt, map.triangleCount());
+    for (; next < stop && runs.weight < mostWeight; ++next) {
         const bool hovered = next >= map.hoverTriangles[0] && next < map.hoverTriangles[1];
         const int marks = map.faces[next].marks;
         if ((marks & FaceTexel::Hidden) || (!hovered && (marks & FaceTexel::Buried)))

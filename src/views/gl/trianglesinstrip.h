@@ -31,8 +31,8 @@ struct MapOnPixels
 };
 
 //! The triangles that touch some rows of pixels, from one triangle on, until they cover so many pixels of
-//! these rows: at least one triangle that is drawn, if there is one. \param next the triangle to begin with;
-//! receives the one to go on with
+//! these rows, or until so many were looked at that a window should answer: none of these may touch the rows.
+//! \param next the triangle to begin with; receives the one to go on with
 TriangleRuns trianglesInStrip(const MapOnPixels &map, double lowRow, double highRow, double mostWeight,
                               int &next);
 

@@ -17,6 +17,11 @@ namespace autocuts {
 //! number is thrown again here.
 void parallelFor(int count, int threads, const std::function<void(int)> &job);
 
+//! Calls job(first, end) for ranges that together hold 0 ... count - 1, on all cores of the machine if there
+//! is much to do, and waits. For loops of which a step takes some ten nanoseconds, where somebody waits for
+//! the window. The steps must not depend on each other.
+void parallelRanges(int count, const std::function<void(int first, int end)> &job);
+
 //! Threads that are started once and wait between the many short loops of a solver step.
 class ThreadTeam
 {

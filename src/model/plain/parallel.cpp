@@ -1,4 +1,4 @@
-#include "solver/base/parallel.h"
+#include "model/plain/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -33,6 +33,14 @@ void parallelFor(int count, int threads, const std::function<void(int)> &job)
         if (error)
             std::rethrow_exception(error);
     }
+}
+
+void parallelRanges(int count, const std::function<void(int first, int end)> &job)
+{
+    constexpr int rangeSize = 16384; // some hundred microseconds, more than a thread costs; chosen by hand
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    parallelFor((count + rangeSize - 1) / rangeSize, cores,
+                [&](int i) { job(i * rangeSize, std::min(count, (i + 1) * rangeSize)); });
 }
 
 namespace {
