@@ -313,9 +313,12 @@ private Q_SLOTS:
             QVERIFY2(std::abs(std::remainder(angle, std::numbers::pi / 2)) < 1e-9,
                      qPrintable(QString::number(angle)));
         }
-        // What is so long that it limits the scale may lie along the diagonal.
+        // What is so long that it limits the scale of all may lie along the diagonal, if that gains much.
         const double leaning = packIslands({box(0, 0, 1, 0.02)}, quick(0.1)).placements.front().angle;
         QVERIFY(std::abs(std::remainder(leaning, std::numbers::pi / 2)) > 0.1);
+        const std::vector<PackIsland> cylinder{box(0, 0, 2 * std::numbers::pi, 2), regular(32), regular(32)};
+        const double straight = packIslands(cylinder, quick(0.1)).placements.front().angle;
+        QVERIFY(std::abs(std::remainder(straight, std::numbers::pi / 2)) < 1e-9);
         // Who asks for steps gets these, counted from how the island was.
         PackOptions steps = quick(0.1);
         steps.rotation = PackRotation::Quarter;

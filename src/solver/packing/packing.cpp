@@ -49,21 +49,29 @@ double chooseUnit(const std::vector<PackIsland> &islands)
 // Islands that would be this share of the bin's longer side, were so much of the bin filled, are so long that
 // they decide how large all islands are. Chosen by hand.
 constexpr double longestSquare = 0.95, likelyFill = 0.5;
+//! Share of the scale with long islands turned freely from which they stand along the axes all the same.
+//! Chosen by hand: a prism and a gear with long strips reach .85, a cylinder .93.
+constexpr double leastSquareScale = 0.8;
 
-//! Lets long islands turn freely: along a diagonal there is more room. With a gear and its long strips
-//! upright, the islands filled 38 % of the tile, and 60 % else.
-void freeLongIslands(const PackOptions &settings, PackProblem &problem)
+//! The problem with long islands that may turn freely, if there are any: along a diagonal there is more room.
+std::optional<PackProblem> withLongIslandsFree(const PackOptions &settings, const PackProblem &square)
 {
     double area = 0;
-    for (int i = 0; i < problem.count(); ++i)
-        area += problem.locked[i] ? 0 : problem.outlines[i].area;
+    for (int i = 0; i < square.count(); ++i)
+        area += square.locked[i] ? 0 : square.outlines[i].area;
     const double scale =
-        settings.keepScale ? problem.unit : std::sqrt(likelyFill * problem.size().prod() / area);
-    for (Outline &outline : problem.outlines) {
-        if (outline.squareAngle && !(rotatedBox(outline.hull, *outline.squareAngle).maxCoeff() * scale <=
-                                     longestSquare * problem.size().maxCoeff()))
-            outline.squareAngle.reset();
+        settings.keepScale ? square.unit : std::sqrt(likelyFill * square.size().prod() / area);
+    std::optional<PackProblem> result;
+    for (int i = 0; i < square.count(); ++i) {
+        const Outline &outline = square.outlines[i];
+        if (!square.standsSquare(i) || rotatedBox(outline.hull, *outline.squareAngle).maxCoeff() * scale <=
+                                           longestSquare * square.size().maxCoeff())
+            continue;
+        if (!result)
+            result = square;
+        result->outlines[i].squareAngle.reset();
     }
+    return result;
 }
 
 PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOptions &settings)
@@ -90,7 +98,6 @@ PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOption
             problem.outlines.back().squareAngle.reset(); // it stands as the user wants it
         problem.given.push_back({0, problem.outlines.back().centre});
     }
-    freeLongIslands(settings, problem);
     return problem;
 }
 
@@ -187,6 +194,22 @@ Layout solve(const PackProblem &problem, const PackOptions &settings, const JobC
     return search(shelves, std::numeric_limits<double>::infinity());
 }
 
+//! With long islands along the axes, where that does not make all islands much smaller.
+Layout solveStraightOrFree(const PackProblem &problem, const PackOptions &settings, const JobContext &job)
+{
+    const std::optional<PackProblem> free = withLongIslandsFree(settings, problem);
+    if (!free)
+        return solve(problem, settings, job);
+    const auto halfOf = [&job](double first) {
+        return JobContext::Sink(
+            [&job, first](const JobProgress &progress) { job.report(first + 0.5 * progress.fraction); });
+    };
+    const JobContext::Sink early = halfOf(0), late = halfOf(0.5);
+    Layout square = solve(problem, settings, job.reports() ? job.watchedBy(early) : job);
+    Layout turned = solve(*free, settings, job.reports() ? job.watchedBy(late) : job);
+    return square.scale >= leastSquareScale * turned.scale ? square : turned;
+}
+
 double efficiency(const PackProblem &problem, const PackOptions &settings, double scale)
 {
     double area = 0;
@@ -220,7 +243,7 @@ PackResult packIslands(const std::vector<PackIsland> &islands, const PackOptions
         return result;
     }
     const bool anyRoom = (problem.size().array() >= 0).all();
-    const Layout layout = anyRoom ? solve(problem, settings, job) : Layout{0, problem.given};
+    const Layout layout = anyRoom ? solveStraightOrFree(problem, settings, job) : Layout{0, problem.given};
     result.complete = layout.scale > 0;
     const double scale = result.complete ? layout.scale : problem.unit;
     result.scale = result.complete && !settings.keepScale ? scale / problem.unit : 1;
