@@ -14,24 +14,20 @@ namespace autocuts::definite {
 
 namespace {
 
-//! Most Newton steps of one relaxation and most rounds of closing seams; both end earlier when nothing is
-//! gained. Chosen by hand; no measurement of their effect is recorded.
-constexpr int relaxSteps = 60;
-constexpr int joinRounds = 4;
 constexpr double densityReserve = 0.01; // share of the distortion above 4, chosen by hand, not measured
 constexpr int joinWork = 500'000;       // tries times triangles, chosen by hand, not measured
 
 //! Relaxes a map. Unless overlaps are allowed, the map stays as it was when every relaxation makes a chart
 //! overlap itself.
-void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, bool allowOverlaps,
-                    SeamedMap &map, const JobContext &job)
+void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                    const DefiniteMapOptions &options, SeamedMap &map, const JobContext &job)
 {
     SeamedMap relaxed = map;
-    relaxMap(soup, snapshot, relaxed, relaxSteps, job);
-    if (!allowOverlaps && coversItself(*soup, relaxed)) {
+    relaxMap(soup, snapshot, relaxed, options.relaxSteps, job);
+    if (!options.allowOverlaps && coversItself(*soup, relaxed)) {
         // Relaxing freely made a chart overlap itself; the barrier prevents that but is slower.
         relaxed = map;
-        relaxWithoutOverlaps(soup, snapshot, relaxed, relaxSteps, job);
+        relaxWithoutOverlaps(soup, snapshot, relaxed, options.relaxSteps, job);
         if (coversItself(*soup, relaxed))
             return;
     }
@@ -50,11 +46,11 @@ void shortenSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
     // The time of a try is proportional to the size of the mesh.
     joining.tries = std::clamp(joinWork / soup->triangleCount(), 10, 300);
     joining.job = job;
-    for (int round = 0; round < joinRounds && !job.stopped(); ++round) {
+    for (int round = 0; round < options.joinRounds && !job.stopped(); ++round) {
         const int closed = joinCharts(soup, snapshot, map, joining) + zipSeams(soup, snapshot, map, joining);
         if (closed == 0)
             break;
-        relaxAsAllowed(soup, snapshot, options.allowOverlaps, map, job);
+        relaxAsAllowed(soup, snapshot, options, map, job);
     }
 }
 
@@ -67,11 +63,11 @@ std::optional<DefiniteMap> makeDefiniteMap(const homotopy::Solver &solver, const
     const Snapshot &snapshot = solver.snapshot();
     DefiniteMap result;
     result.map = stitchSoup(soup, snapshot, solver.coordinates(), job);
-    relaxMap(soup, snapshot, result.map, relaxSteps, job);
+    relaxMap(soup, snapshot, result.map, options.relaxSteps, job);
     if (!options.allowOverlaps) {
         if (!removeOverlaps(*soup, snapshot, result.map, job))
             return std::nullopt;
-        relaxAsAllowed(soup, snapshot, false, result.map, job);
+        relaxAsAllowed(soup, snapshot, options, result.map, job);
     }
     result.seedDistortion = result.map.distortion(*soup);
     shortenSeams(soup, snapshot, options, result.map, job);

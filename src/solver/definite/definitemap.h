@@ -17,6 +17,9 @@ struct DefiniteMapOptions
     double maxDistortion = 4.1; //!< bound on the mean distortion when seams are closed; may be infinite
     double costPerLength = 0.1; //!< most distortion per length of seam closed, solver units
     bool allowOverlaps = false;
+    //! Most Newton steps of one relaxation and most rounds of closing seams; both end earlier when nothing is
+    //! gained. Chosen by hand.
+    int relaxSteps = 60, joinRounds = 4;
 };
 
 struct DefiniteMap

@@ -88,20 +88,16 @@ constexpr int manyBorders = 5, manyHandles = 5;
 //! Share of the area in rigid regions from which drafts do not start from clusters, which do not know them,
 //! and from which the map of the soup is not taken, in which they bend.
 constexpr double hardlyRigid = 0.1;
-//! Share of edges with three or more faces from which drafts do not start from clusters either: pairs of
-//! faces chosen at so many of them wind through each other. Measured on generated meshes with 30 to 40 %: the
-//! soup's cuts are two thirds as long, and clusters missed the bound.
-constexpr double tangledEdges = 0.1;
 //! Effort of a draft that starts from clusters. Measured: 300 moves and 5 squeezes in place of 25 and none
 //! shorten the seams of beetle by 34 %, of plane_holes by 6 %, for little time.
 const search::OptimizeEffort clusterEffort{1, {{0, 1}, {300, 1}}, 5, 0.5, 16};
 
 //! \returns nothing also when the mesh is too odd for the soup, such as one of very mixed scales
-std::optional<Candidate> bySoupChains(const Snapshot &snapshot, const UnwrapOptions &options,
+std::optional<Candidate> bySoupChains(const Snapshot &snapshot, const UnwrapOptions &options, bool hurried,
                                       Ranking &ranking, const JobContext &job, int &iterations)
 {
     try {
-        return bestOfSoupChains(snapshot, options, ranking, job, iterations);
+        return bestOfSoupChains(snapshot, options, hurried, ranking, job, iterations);
     } catch (const std::runtime_error &) {
         return std::nullopt;
     }
@@ -172,21 +168,17 @@ private:
     }
 
     //! True when a draft starts from clusters. Drafts of small meshes do not: from the soup they find shorter
-    //! seams, on torus_with_holes by 21 % in the same time. Standard has not been measured.
+    //! seams, on torus_with_holes by 21 % in the same time. Nor do those of tangled meshes: on generated ones
+    //! with 30 to 40 % of such edges the soup's cuts are two thirds as long, and clusters missed the bound.
+    //! Standard has not been measured.
     bool suitsClusters() const
     {
         return mOptions.quality == UnwrapQuality::Draft && !mOptions.lambda &&
                mSnapshot.mesh->triangleCount() > fullEffortTriangles &&
                mSnapshot.settings.start != StartMode::ExistingUv && !mBefore && !mSnapshot.placesIslands() &&
-               !hasDecidedEdges() && !isTangled() &&
+               !hasDecidedEdges() && !isTangled(*mSnapshot.mesh) &&
                hasPartWithMore(manyBorders - 1, manyHandles - 1, *mSnapshot.mesh) &&
                (!mSnapshot.rigid || mSnapshot.rigid->share < hardlyRigid);
-    }
-
-    bool isTangled() const
-    {
-        const MeshData &mesh = *mSnapshot.mesh;
-        return mesh.report.nonManifoldEdges > tangledEdges * double(mesh.edgePairs.size());
     }
 
     //! The best map of the seam search. \param other a further map to start from
@@ -305,7 +297,8 @@ private:
     {
         UnwrapOptions how = mOptions;
         how.quality = quality;
-        std::optional<Candidate> best = bySoupChains(mSnapshot, how, mRanking, mJob, mIterations);
+        const bool hurried = mOptions.quality == UnwrapQuality::Draft;
+        std::optional<Candidate> best = bySoupChains(mSnapshot, how, hurried, mRanking, mJob, mIterations);
         if (best && mSnapshot.placesIslands()) {
             best->anchorFaults =
                 search::settleAtAnchors(mGraph, best->map, settleSteps, !mOptions.allowOverlaps, mJob);
@@ -374,7 +367,7 @@ std::optional<SeamedMap> soupStart(const Snapshot &snapshot, const UnwrapOptions
     how.quality = UnwrapQuality::Draft;
     Ranking ranking(how, job);
     int iterations = 0;
-    std::optional<Candidate> found = bySoupChains(snapshot, how, ranking, job, iterations);
+    std::optional<Candidate> found = bySoupChains(snapshot, how, false, ranking, job, iterations);
     return found ? std::optional(std::move(found->map)) : std::nullopt;
 }
 
