@@ -55,7 +55,7 @@ struct QualityPlan
 
 //! Share of edges with three or more faces. See also MapSearch::suitsClusters().
 constexpr double tangledEdges = 0.1;
-//! Lambda of the first run on a tangled mesh. From the plans' values the first run misses the bound there. On
+//! Lambda of a draft's first run on a tangled mesh. With the plans' values that misses the bound. On
 //! two generated meshes of 15,000 and 72,000 triangles, a draft with .008 and one run takes 6.5 and 17 CPU
 //! seconds in place of 15 and 63, for seams of 15.8 and 48.3 in place of 15.5 and 52.4.
 constexpr double tangledLambda = 0.008;
@@ -163,9 +163,9 @@ std::optional<Candidate> bestOfSoupChains(const Snapshot &snapshot, const Unwrap
                                           int &iterations)
 {
     const std::shared_ptr<const Soup> soup = Soup::build(snapshot.mesh);
-    const bool tangled = isTangled(*snapshot.mesh);
+    const bool tangledDraft = hurried && isTangled(*snapshot.mesh);
     QualityPlan plan = planFor(options.quality, soup->triangleCount());
-    plan.oneFits = tangled && hurried;
+    plan.oneFits = tangledDraft;
     int steps = 0;
     for (int i = 0; i < plan.chains; ++i)
         steps +=
@@ -178,7 +178,7 @@ std::optional<Candidate> bestOfSoupChains(const Snapshot &snapshot, const Unwrap
         Snapshot start = snapshot;
         start.settings.start = startOf(i, snapshot.settings.start);
         ChainPlan chain = chainPlans[i];
-        if (tangled)
+        if (tangledDraft)
             chain.firstLambda = std::min(chain.firstLambda, tangledLambda);
         results[i] = runChain(start, chain, plan, options, hurried, ranking, job);
     });
