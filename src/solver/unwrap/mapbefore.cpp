@@ -18,14 +18,14 @@ std::optional<SeamedMap> mapOf(const Soup &soup, const Snapshot &snapshot, const
 
 } // namespace
 
-std::optional<SeamedMap> mapBefore(const Soup &soup, const Snapshot &snapshot)
+std::optional<SeamedMap> mapBefore(const Soup &soup, const Snapshot &snapshot, bool openJoins)
 {
     const std::vector<PairState> &states = snapshot.steering->pairState;
     CutFlags always(snapshot.mesh->edgePairs.size(), false);
     for (std::size_t e = 0; e < always.size() && !states.empty(); ++e)
         always[e] = states[2 * e] == PairState::Cut || states[2 * e + 1] == PairState::Cut;
     std::optional<SeamedMap> map = mapOf(soup, snapshot, always);
-    for (std::size_t e = 0; map && e < always.size(); ++e) {
+    for (std::size_t e = 0; map && !openJoins && e < always.size(); ++e) {
         if (map->cut[e] && snapshot.isJoined(e))
             return std::nullopt;
     }

@@ -12,7 +12,9 @@ namespace autocuts::unwrap {
 
 //! The snapshot's map, in solver units, with the user's cuts; nothing when there is none, when it has flipped
 //! triangles, or when it does not obey the joins.
-[[nodiscard]] std::optional<SeamedMap> mapBefore(const Soup &soup, const Snapshot &snapshot);
+//! \param openJoins joined edges may be seams
+[[nodiscard]] std::optional<SeamedMap> mapBefore(const Soup &soup, const Snapshot &snapshot,
+                                                 bool openJoins = false);
 
 //! The snapshot's map, changed where the steering asks for it: cuts opened, joins closed, hard pins reached.
 //! Overlaps are cut apart, and islands that no pins hold get one density.

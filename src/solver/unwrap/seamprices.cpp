@@ -34,6 +34,13 @@ public:
     {
         mProblem = preference::SeamPreference().applied(part.withoutRectangles(), job.threads());
         mProblem.rigid = nullptr; // prices are in the distortion that users see
+        // Where only given seams may be seams, all other edges are joined, also those of seams that had to be
+        // added.
+        std::vector<PairState> &states = mProblem.editSteering().pairState;
+        for (std::size_t e = 0; onlyGiven && !states.empty() && e < map.cut.size(); ++e) {
+            if (map.cut[e] && mProblem.isJoined(e))
+                states[2 * e] = states[2 * e + 1] = PairState::Free;
+        }
         mSoup = Soup::build(mProblem.mesh);
         mGraph = search::SeamGraph::build(mSoup, mProblem);
         mState = search::CutState::from(mGraph, map, true);
@@ -149,11 +156,12 @@ SeamPrices priceSeams(const Snapshot &snapshot, const JobContext &job)
     if (!part)
         return prices;
     const std::shared_ptr<const Soup> soup = Soup::build(part->snapshot().mesh);
-    const std::optional<SeamedMap> map = mapBefore(*soup, part->snapshot());
+    const bool onlyGiven = snapshot.settings.seams != SeamMode::Free;
+    const std::optional<SeamedMap> map = mapBefore(*soup, part->snapshot(), onlyGiven);
     prices.hasMap = map.has_value();
     if (!map)
         return prices;
-    const SeamPricing pricing(*part, *map, snapshot.settings.seams != SeamMode::Free, job);
+    const SeamPricing pricing(*part, *map, onlyGiven, job);
     prices.distortion = pricing.distortion();
     prices.seams = pricing.seams();
     prices.proposal = pricing.proposal();
