@@ -105,6 +105,7 @@ bool Patch::join(const CutState &state, const std::vector<double> &x)
     const int points = static_cast<int>(mPointVertex.size());
     mPosition.assign(2 * points, 0.0);
     // Until numberUnknowns(), mUnknown is -1 for held points and counts the corners seen so far for others.
+    mNumbered = false;
     mUnknown.assign(points, 0);
     const auto hold = [&](int c) {
         const int p = mPoint[c];
@@ -139,7 +140,6 @@ bool Patch::join(const CutState &state, const std::vector<double> &x)
         mPosition[2 * p] += share * (at[0] - mPosition[2 * p]);
         mPosition[2 * p + 1] += share * (at[1] - mPosition[2 * p + 1]);
     }
-    numberUnknowns();
     return true;
 }
 
@@ -190,11 +190,15 @@ void Patch::addSprings(const std::vector<int> &edges)
                 mSprings.push_back({a, b, -1, mGraph->length[e]});
         }
     }
-    numberUnknowns();
+    mNumbered = false;
 }
 
+//! Many trials end before anything is minimised, so this is done when it is needed.
 void Patch::numberUnknowns()
 {
+    if (mNumbered)
+        return;
+    mNumbered = true;
     // The points are eliminated in the order that SeamGraph::rank gives for the whole mesh.
     std::vector<std::pair<int, int>> &order = mLower;
     order.clear();

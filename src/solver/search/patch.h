@@ -92,11 +92,12 @@ private:
 
     std::shared_ptr<const SeamGraph> mGraph;
     std::vector<int> mTriangles;
-    std::vector<int> mLocal;                 //!< per triangle of the mesh: index in mTriangles, -1 outside
-    std::vector<int> mPoint;                 //!< per local corner: its point
-    std::vector<int> mParent;                //!< union-find over local corners
-    std::vector<double> mPosition;           //!< per point: u, v in solver units
-    std::vector<int> mUnknown;               //!< per point: its block row in mSystem, -1 when held
+    std::vector<int> mLocal;       //!< per triangle of the mesh: index in mTriangles, -1 outside
+    std::vector<int> mPoint;       //!< per local corner: its point
+    std::vector<int> mParent;      //!< union-find over local corners
+    std::vector<double> mPosition; //!< per point: u, v in solver units
+    bool mNumbered = false;        //!< mUnknown holds rows
+    std::vector<int> mUnknown; //!< per point: its block row in mSystem; -1 when held, before numbering too
     std::vector<int> mPointVertex;           //!< per point: vertex of the uncut surface
     std::vector<std::array<int, 3>> mPlace;  //!< per local triangle: places of blocks (1,0), (2,0), (2,1)
     std::vector<std::pair<int, int>> mLower; //!< scratch

@@ -203,6 +203,7 @@ bool Patch::lineSearch(double before, const PatchLimits &limits, double slope, d
 
 int Patch::minimize(const PatchLimits &limits)
 {
+    numberUnknowns();
     if (limits.guarded)
         crossesItself(); // fills mSegments
     double value = energy() + springEnergy(mPosition);
