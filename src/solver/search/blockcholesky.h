@@ -20,8 +20,8 @@ public:
 
     //! Sets the pattern of a new matrix with `count` block rows, numbered in the order of elimination.
     //! \param lower blocks below the diagonal, as pairs (row, column) with row > column; duplicates are
-    //! allowed; sorted and made unique in place
-    void analyze(int count, std::vector<std::pair<int, int>> &lower);
+    //! allowed
+    void analyze(int count, const std::vector<std::pair<int, int>> &lower);
 
     //! Number of block rows.
     int count() const { return mCount; }
