@@ -147,7 +147,8 @@ Kept keptIslands(const MeshData &mesh, const UvMatrix &before, const UvMatrix &a
         const RigidMotion motion = fitRigid(matches);
         ++kept.all;
         kept.inPlace += (motion.fixedCentre - motion.movingCentre).norm() < 5e-3;
-        kept.turned += std::abs(std::atan2(motion.s, motion.c)) > M_PI / 36; // new shapes may differ
+        kept.turned +=
+            std::abs(std::atan2(motion.s, motion.c)) > M_PI / 18; // new shapes of a few faces differ
     }
     return kept;
 }

@@ -194,7 +194,8 @@ Layout solve(const PackProblem &problem, const PackOptions &settings, const JobC
     return search(shelves, std::numeric_limits<double>::infinity());
 }
 
-//! With long islands along the axes, where that does not make all islands much smaller.
+//! With long islands along the axes, where that does not make all islands much smaller. Both ways share the
+//! effort.
 Layout solveStraightOrFree(const PackProblem &problem, const PackOptions &settings, const JobContext &job)
 {
     const std::optional<PackProblem> free = withLongIslandsFree(settings, problem);
@@ -205,8 +206,10 @@ Layout solveStraightOrFree(const PackProblem &problem, const PackOptions &settin
             [&job, first](const JobProgress &progress) { job.report(first + 0.5 * progress.fraction); });
     };
     const JobContext::Sink early = halfOf(0), late = halfOf(0.5);
-    Layout square = solve(problem, settings, job.reports() ? job.watchedBy(early) : job);
-    Layout turned = solve(*free, settings, job.reports() ? job.watchedBy(late) : job);
+    PackOptions half = settings;
+    half.effort *= 0.5;
+    Layout square = solve(problem, half, job.reports() ? job.watchedBy(early) : job);
+    Layout turned = solve(*free, half, job.reports() ? job.watchedBy(late) : job);
     return square.scale >= leastSquareScale * turned.scale ? square : turned;
 }
 
