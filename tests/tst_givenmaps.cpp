@@ -52,7 +52,7 @@ std::optional<double> distortionWithout(const Snapshot &snapshot, const std::vec
     Snapshot before = FreePart::of(snapshot)->withoutRectangles();
     const std::shared_ptr<const Soup> soup = Soup::build(before.mesh);
     const std::optional<SeamedMap> map = mapBefore(*soup, before, true);
-    // Seams that had to be added are none that may not be.
+    // With SeamMode::Only the edges of seams that had to be added are joined.
     for (std::size_t e = 0; e < map->cut.size(); ++e) {
         if (map->cut[e] && before.isJoined(e))
             before.editSteering().pairState[2 * e] = before.editSteering().pairState[2 * e + 1] =

@@ -34,7 +34,7 @@ public:
     {
         mProblem = preference::SeamPreference().applied(part.withoutRectangles(), job.threads());
         mProblem.rigid = nullptr; // prices are in the distortion that users see
-        // Where only given seams may be seams, all other edges are joined, also those of seams that had to be
+        // With SeamMode::Only all edges but the given ones are joined, also those of seams that had to be
         // added.
         std::vector<PairState> &states = mProblem.editSteering().pairState;
         for (std::size_t e = 0; onlyGiven && !states.empty() && e < map.cut.size(); ++e) {
@@ -157,7 +157,8 @@ SeamPrices priceSeams(const Snapshot &snapshot, const JobContext &job)
         return prices;
     const std::shared_ptr<const Soup> soup = Soup::build(part->snapshot().mesh);
     const bool onlyGiven = snapshot.settings.seams != SeamMode::Free;
-    const std::optional<SeamedMap> map = mapBefore(*soup, part->snapshot(), onlyGiven);
+    const bool joinsOthers = snapshot.settings.seams == SeamMode::Only;
+    const std::optional<SeamedMap> map = mapBefore(*soup, part->snapshot(), joinsOthers);
     prices.hasMap = map.has_value();
     if (!map)
         return prices;
