@@ -97,6 +97,9 @@ private Q_SLOTS:
         const auto again = parseCommandLine({u"unwrap"_s, u"--preset"_s, path, u"--show-settings"_s});
         QVERIFY2(again, qPrintable(again ? QString() : again.error().toString()));
         QCOMPARE(again->settingsText, shown->settingsText);
+        // Several inputs have the same settings, and none of them is read.
+        const auto several = parseCommandLine({u"convert"_s, u"-"_s, u"b.obj"_s, u"--show-settings"_s});
+        QVERIFY(several && several->command == CliOptions::Command::Settings && !several->many);
     }
 };
 

@@ -87,6 +87,7 @@ public:
         if (mOptions.showSettings) {
             mOptions.settingsText = settingsOf(*command);
             mOptions.command = Command::Settings;
+            mOptions.many.reset(); // the same for all inputs
             return mOptions;
         }
         if (const Problem problem = finish(*command))

@@ -162,6 +162,7 @@ void FileRunner::start(const FileTask &task)
     if (!mFolder.isEmpty())
         QDir().mkpath(QFileInfo(QDir(mFolder).filePath(task.output)).path());
     endWithProgram(running.process);
+    running.process.setStandardInputFile(QProcess::nullDevice());
     running.clock.start();
     running.process.start(QCoreApplication::applicationFilePath(), argumentsFor(task, running.report));
 }

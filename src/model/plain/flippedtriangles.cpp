@@ -1,5 +1,7 @@
 #include "model/plain/flippedtriangles.h"
 
+#include "model/plain/parallel.h"
+
 #include <cmath>
 
 namespace autocuts {
@@ -20,21 +22,26 @@ double signedUvArea(const UvMatrix &uv, int t)
 
 std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &soupUv, std::span<const int> islands)
 {
+    const int count = mesh.triangleCount();
+    std::vector<double> area(count, 0);
+    parallelRanges(count, [&](int first, int end) {
+        for (int t = first; t < end; ++t) {
+            if (islands[mesh.triangleFace[t]] >= 0)
+                area[t] = signedUvArea(soupUv, t);
+        }
+    });
     std::vector<double> islandArea(mesh.faceCount(), 0); // a mesh never has more islands than faces
     double total = 0;
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (islands[mesh.triangleFace[t]] < 0)
-            continue;
-        islandArea[islands[mesh.triangleFace[t]]] += signedUvArea(soupUv, t);
-        total += std::abs(signedUvArea(soupUv, t));
+    for (int t = 0; t < count; ++t) {
+        if (const int island = islands[mesh.triangleFace[t]]; island >= 0) {
+            islandArea[island] += area[t];
+            total += std::abs(area[t]);
+        }
     }
-    std::vector<bool> flipped(mesh.triangleCount(), false);
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (islands[mesh.triangleFace[t]] < 0)
-            continue;
-        const double area = signedUvArea(soupUv, t);
-        const bool mirrored = islandArea[islands[mesh.triangleFace[t]]] < 0;
-        flipped[t] = std::abs(area) >= smallestArea * total && (area < 0) != mirrored;
+    std::vector<bool> flipped(count, false);
+    for (int t = 0; t < count; ++t) {
+        if (const int island = islands[mesh.triangleFace[t]]; island >= 0)
+            flipped[t] = std::abs(area[t]) >= smallestArea * total && (area[t] < 0) != (islandArea[island] < 0);
     }
     return flipped;
 }

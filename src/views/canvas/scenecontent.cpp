@@ -32,7 +32,6 @@ struct SceneContent::MeshParts
     std::shared_ptr<const MeshDrawing> drawing;
     std::shared_ptr<const MeshData> mesh;
     mutable std::vector<Eigen::Vector3f> normals; //!< of corners; made when tangents are first asked for
-    mutable std::optional<StretchMeter> meter;    //!< made when a heat-map is first shown
 };
 
 SceneContent::SceneContent(const StudioContext &context, bool asMap, QObject *parent)
@@ -74,7 +73,7 @@ void SceneContent::connectAll()
 
 void SceneContent::mark(int parts)
 {
-    mStale |= parts;
+    mStale |= parts | ((parts & Faces) && showsStretch() ? Measures : 0);
     Q_EMIT changed();
 }
 
@@ -107,8 +106,6 @@ void SceneContent::documentChanged(const ChangeEvent &event)
         mark(mOptions.coloring == Coloring::Density ? Faces : 0);
         break;
     case ChangeEvent::Type::TexelWeight:
-        if (mMeshParts)
-            mMeshParts->meter.reset();
         mark(showsTexelWeights() ? Faces : 0);
         break;
     case ChangeEvent::Type::Model: // the workspace says that the document was replaced
@@ -132,7 +129,12 @@ void SceneContent::documentChanged(const ChangeEvent &event)
 bool SceneContent::showsTexelWeights() const
 {
     return mOptions.coloring == Coloring::TexelWeights || mOptions.coloring == Coloring::Density ||
-           mOptions.coloring == Coloring::SignedStretch || mOptions.coloring == Coloring::StretchMagnitude;
+           showsStretch();
+}
+
+bool SceneContent::showsStretch() const
+{
+    return mOptions.coloring == Coloring::SignedStretch || mOptions.coloring == Coloring::StretchMagnitude;
 }
 
 void SceneContent::selectionChanged()
@@ -277,6 +279,8 @@ int SceneContent::refresh(Amount amount)
     }
     if (parts & Ghost)
         rebuildGhost();
+    if ((parts & Measures) && showsStretch())
+        mContext.shownMap.stretch();
     if (parts & Faces)
         rebuildFaces();
     if (parts & Sides) {
@@ -305,12 +309,8 @@ void SceneContent::rebuildFaces()
 {
     const Document &document = *mContext.workspace.document();
     const MeshParts &own = meshParts();
-    TriangleStretch stretch;
-    if (mOptions.coloring == Coloring::SignedStretch || mOptions.coloring == Coloring::StretchMagnitude) {
-        if (!own.meter)
-            own.meter.emplace(*document.weightedMesh());
-        stretch = own.meter->measure(mContext.shownMap.uv());
-    }
+    static const TriangleStretch none;
+    const TriangleStretch &stretch = showsStretch() ? mContext.shownMap.stretch() : none;
     const std::vector<float> density = measureDensity();
     // The solver never flips a triangle, and islands of a live map are only computed when their colours are
     // shown.

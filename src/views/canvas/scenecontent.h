@@ -24,8 +24,17 @@ class SceneContent final : public QObject
     Q_OBJECT
 
 public:
-    //! In the order of their updates.
-    enum Part { Uvs = 1, Vertices = 2, Faces = 4, Sides = 8, Ghost = 16, Points = 32, AllParts = 63 };
+    //! Arrays, in the order of their updates. Measures is none: it is what colours of faces are made from.
+    enum Part {
+        Uvs = 1,
+        Vertices = 2,
+        Measures = 4,
+        Faces = 8,
+        Sides = 16,
+        Ghost = 32,
+        Points = 64,
+        AllParts = 127
+    };
     enum class Amount {
         All,
         //! One array of a large mesh; changed() asks for the next. The 3D view, which has no picture of
@@ -98,6 +107,7 @@ private:
     void rebuildGhost();
     void rebuildFaces();
     std::vector<float> measureDensity();
+    bool showsStretch() const;
     bool showsTexelWeights() const;
     void rebuildPoints();
     const Selection &shownSelection() const;

@@ -34,13 +34,22 @@ ShownMap::ShownMap(Workspace &workspace, QObject *parent) : QObject(parent), mWo
         mLive = false;
         mUv.resize(0, 2);
         mStale = true;
+        mMeasured.reset();
+        mMeter.reset();
+        mStretch.reset();
     });
     connect(&workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
         if (mLive || (event.type != ChangeEvent::Type::Uv && event.type != ChangeEvent::Type::UvSet))
             return;
         mStale = true;
-        Q_EMIT changed();
+        mapChanged();
     });
+}
+
+void ShownMap::mapChanged()
+{
+    mStretch.reset();
+    Q_EMIT changed();
 }
 
 const UvMatrix &ShownMap::uv() const
@@ -67,6 +76,19 @@ bool ShownMap::isSeam(int edgePair) const
     return std::max(apart[2 * edgePair], apart[2 * edgePair + 1]) >= 0.5f;
 }
 
+const TriangleStretch &ShownMap::stretch() const
+{
+    if (const std::shared_ptr<const MeshData> &mesh = mWorkspace.document()->weightedMesh();
+        mMeasured != mesh) {
+        mMeasured = mesh;
+        mMeter.emplace(*mesh);
+        mStretch.reset();
+    }
+    if (!mStretch)
+        mStretch = mMeter->measure(uv());
+    return *mStretch;
+}
+
 void ShownMap::showMap(const UvMatrix &map, UvMatrix ghost)
 {
     const MeshData &mesh = mWorkspace.document()->mesh();
@@ -84,14 +106,14 @@ void ShownMap::showMap(const UvMatrix &map, UvMatrix ghost)
         mFadingSince.start();
         mFading.start();
     }
-    Q_EMIT changed();
+    mapChanged();
 }
 
 void ShownMap::showSoup(UvMatrix soupUv, std::vector<float> separation, UvMatrix ghost)
 {
     setLive(true, std::move(separation), std::move(ghost));
     mUv = std::move(soupUv);
-    Q_EMIT changed();
+    mapChanged();
 }
 
 void ShownMap::setLive(bool soup, std::vector<float> separation, UvMatrix ghost)
@@ -135,7 +157,7 @@ void ShownMap::showDocument()
     mStale = true;
     mGhost = {};
     mUv.resize(0, 2);
-    Q_EMIT changed();
+    mapChanged();
 }
 
 } // namespace autocuts

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "views/control/islandglide.h"
+#include "views/gl/stretch.h"
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -42,6 +44,8 @@ public:
     //! Per edge pair: true when it is cut in the shown map, that is, at least one of its ends has a
     //! separation of 0.5 or more.
     bool isSeam(int edgePair) const;
+    //! The stretch of the triangles; measured when it is first asked for, for all views. \pre a document
+    const TriangleStretch &stretch() const;
 
     //! Shows a definite map instead of the document's. \pre the sizes are those of the document's mesh
     //! \param map one row per corner; its seams are where it is open
@@ -58,6 +62,7 @@ Q_SIGNALS:
     void ghostChanged();
 
 private:
+    void mapChanged();
     void setLive(bool soup, std::vector<float> separation, UvMatrix ghost);
     void fade();
     void stopFading();
@@ -73,6 +78,9 @@ private:
     UvMatrix mUv;               //!< while a map of the solve is shown
     mutable bool mStale = true; //!< the next is of an older map
     mutable std::vector<float> mSeparation;
+    mutable std::shared_ptr<const MeshData> mMeasured; //!< the mesh that the meter is for
+    mutable std::optional<StretchMeter> mMeter;
+    mutable std::optional<TriangleStretch> mStretch; //!< of the shown map; nothing until it is asked for
 };
 
 } // namespace autocuts
