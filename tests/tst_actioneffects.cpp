@@ -11,6 +11,8 @@
 
 #include <numeric>
 
+namespace tst_actioneffects {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
@@ -478,4 +480,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestActionEffects)
+
+} // namespace tst_actioneffects
+
 #include "tst_actioneffects.moc"

@@ -11,6 +11,8 @@
 
 #include <set>
 
+namespace tst_actions {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::GridStudio;
@@ -310,4 +312,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestActions)
+
+} // namespace tst_actions
+
 #include "tst_actions.moc"

@@ -20,6 +20,8 @@
 #include <numeric>
 #include <set>
 
+namespace tst_alikeparts {
+
 using namespace autocuts;
 using namespace autocuts::test::props;
 
@@ -348,4 +350,7 @@ void TestAlikeParts::aStopEndsTheComparison()
 }
 
 QTEST_GUILESS_MAIN(TestAlikeParts)
+
+} // namespace tst_alikeparts
+
 #include "tst_alikeparts.moc"

@@ -17,6 +17,8 @@
 
 #include <cmath>
 
+namespace tst_animations {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -167,4 +169,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestAnimations)
+
+} // namespace tst_animations
+
 #include "tst_animations.moc"

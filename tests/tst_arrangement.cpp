@@ -11,6 +11,8 @@
 #include <numbers>
 #include <numeric>
 
+namespace tst_arrangement {
+
 using namespace autocuts;
 using test::PartPlace;
 
@@ -291,4 +293,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestArrangement)
+
+} // namespace tst_arrangement
+
 #include "tst_arrangement.moc"

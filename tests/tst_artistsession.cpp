@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace tst_artistsession {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -44,4 +46,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestArtistSession)
+
+} // namespace tst_artistsession
+
 #include "tst_artistsession.moc"

@@ -12,6 +12,8 @@
 #include <memory>
 #include <stdexcept>
 
+namespace tst_assimpscenes {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -272,4 +274,7 @@ void TestAssimpScenes::picturesInside()
 }
 
 QTEST_GUILESS_MAIN(TestAssimpScenes)
+
+} // namespace tst_assimpscenes
+
 #include "tst_assimpscenes.moc"

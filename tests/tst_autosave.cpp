@@ -11,6 +11,8 @@
 #include <QTest>
 #include <QThread>
 
+namespace tst_autosave {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -340,4 +342,7 @@ void TestAutosave::killedWhileSaving()
 }
 
 QTEST_GUILESS_MAIN(TestAutosave)
+
+} // namespace tst_autosave
+
 #include "tst_autosave.moc"

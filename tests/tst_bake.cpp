@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_bake {
+
 using namespace autocuts;
 using namespace autocuts::bake;
 using namespace autocuts::test;
@@ -470,4 +472,7 @@ void TestBake::damagedModels()
 }
 
 QTEST_APPLESS_MAIN(TestBake)
+
+} // namespace tst_bake
+
 #include "tst_bake.moc"

@@ -17,6 +17,8 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+namespace tst_bakedialog {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::BakeSession;
@@ -353,4 +355,7 @@ void TestBakeDialog::everyMapHasATitle()
 }
 
 QTEST_MAIN(TestBakeDialog)
+
+} // namespace tst_bakedialog
+
 #include "tst_bakedialog.moc"

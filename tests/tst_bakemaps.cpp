@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace tst_bakemaps {
+
 using namespace autocuts;
 using namespace autocuts::bake;
 using namespace autocuts::test;
@@ -253,4 +255,7 @@ void TestBakeMaps::asManyObjectsAsAFileHas()
 }
 
 QTEST_APPLESS_MAIN(TestBakeMaps)
+
+} // namespace tst_bakemaps
+
 #include "tst_bakemaps.moc"

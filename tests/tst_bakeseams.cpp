@@ -8,6 +8,8 @@
 #include <cmath>
 #include <random>
 
+namespace tst_bakeseams {
+
 using namespace autocuts;
 using namespace autocuts::bake;
 using namespace autocuts::test;
@@ -191,4 +193,7 @@ void TestBakeSeams::lightIsTheSameOnBothSides()
 }
 
 QTEST_APPLESS_MAIN(TestBakeSeams)
+
+} // namespace tst_bakeseams
+
 #include "tst_bakeseams.moc"

@@ -8,6 +8,8 @@
 #include <QJsonObject>
 #include <QTest>
 
+namespace tst_bench {
+
 using namespace autocuts;
 using namespace autocuts::unwrap;
 
@@ -86,4 +88,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestBench)
+
+} // namespace tst_bench
+
 #include "tst_bench.moc"

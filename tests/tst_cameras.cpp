@@ -13,6 +13,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_cameras {
+
 using namespace autocuts;
 
 namespace {
@@ -315,4 +317,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestCameras)
+
+} // namespace tst_cameras
+
 #include "tst_cameras.moc"

@@ -23,6 +23,8 @@
 #include <numbers>
 #include <random>
 
+namespace tst_carry {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::MappedModel;
@@ -572,4 +574,7 @@ void TestCarry::commandLineKeepsSources()
 }
 
 QTEST_GUILESS_MAIN(TestCarry)
+
+} // namespace tst_carry
+
 #include "tst_carry.moc"

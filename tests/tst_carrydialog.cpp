@@ -21,6 +21,8 @@
 #include <QSpinBox>
 #include <QTreeWidget>
 
+namespace tst_carrydialog {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::StudioSession;
@@ -442,4 +444,7 @@ void TestCarryDialog::aNewMapTellsOfIt()
 }
 
 QTEST_MAIN(TestCarryDialog)
+
+} // namespace tst_carrydialog
+
 #include "tst_carrydialog.moc"

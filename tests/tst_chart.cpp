@@ -12,6 +12,8 @@
 #include <cmath>
 #include <limits>
 
+namespace tst_chart {
+
 using namespace autocuts;
 
 namespace {
@@ -181,4 +183,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestChart)
+
+} // namespace tst_chart
+
 #include "tst_chart.moc"

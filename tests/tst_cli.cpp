@@ -12,6 +12,8 @@
 
 #include <cmath>
 
+namespace tst_cli {
+
 using namespace autocuts;
 using namespace autocuts::metrics;
 
@@ -413,4 +415,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestCli)
+
+} // namespace tst_cli
+
 #include "tst_cli.moc"

@@ -14,6 +14,8 @@
 
 #include <cmath>
 
+namespace tst_clibake {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::MappedModel;
@@ -464,4 +466,7 @@ void TestCliBake::aTimeLimitEndsTheReading()
 }
 
 QTEST_GUILESS_MAIN(TestCliBake)
+
+} // namespace tst_clibake
+
 #include "tst_clibake.moc"

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_clilight {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::runInProcess;
@@ -225,4 +227,7 @@ void TestCliLight::mistakes()
 }
 
 QTEST_GUILESS_MAIN(TestCliLight)
+
+} // namespace tst_clilight
+
 #include "tst_clilight.moc"

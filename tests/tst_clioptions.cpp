@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace tst_clioptions {
+
 using namespace autocuts;
 using namespace autocuts::unwrap;
 using namespace Qt::Literals::StringLiterals;
@@ -535,4 +537,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestCliOptions)
+
+} // namespace tst_clioptions
+
 #include "tst_clioptions.moc"

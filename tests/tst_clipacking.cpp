@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_clipacking {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -286,4 +288,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestCliPacking)
+
+} // namespace tst_clipacking
+
 #include "tst_clipacking.moc"

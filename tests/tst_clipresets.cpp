@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace tst_clipresets {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -104,4 +106,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestCliPresets)
+
+} // namespace tst_clipresets
+
 #include "tst_clipresets.moc"

@@ -18,6 +18,8 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+namespace tst_cliprogram {
+
 using namespace autocuts;
 using namespace autocuts::metrics;
 
@@ -553,4 +555,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestCliProgram)
+
+} // namespace tst_cliprogram
+
 #include "tst_cliprogram.moc"

@@ -14,6 +14,8 @@
 
 #include <cmath>
 
+namespace tst_cliscope {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -371,4 +373,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestCliScope)
+
+} // namespace tst_cliscope
+
 #include "tst_cliscope.moc"

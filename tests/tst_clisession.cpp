@@ -18,6 +18,8 @@
 
 #include <algorithm>
 
+namespace tst_clisession {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -454,4 +456,7 @@ void TestCliSession::damagedSession()
 }
 
 QTEST_GUILESS_MAIN(TestCliSession)
+
+} // namespace tst_clisession
+
 #include "tst_clisession.moc"

@@ -10,6 +10,8 @@
 #include <QJsonObject>
 #include <QTest>
 
+namespace tst_clitransfer {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::MappedModel;
@@ -166,4 +168,7 @@ void TestCliTransfer::mistakes()
 }
 
 QTEST_GUILESS_MAIN(TestCliTransfer)
+
+} // namespace tst_clitransfer
+
 #include "tst_clitransfer.moc"

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace tst_commandproperty {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -117,4 +119,7 @@ void TestCommandProperty::replayGivesTheSameState()
 }
 
 QTEST_GUILESS_MAIN(TestCommandProperty)
+
+} // namespace tst_commandproperty
+
 #include "tst_commandproperty.moc"

@@ -8,6 +8,8 @@
 
 #include <set>
 
+namespace tst_commands {
+
 using namespace autocuts;
 using namespace autocuts::test;
 using namespace Qt::Literals::StringLiterals;
@@ -156,4 +158,7 @@ void TestCommands::everyIdIsCovered()
 }
 
 QTEST_GUILESS_MAIN(TestCommands)
+
+} // namespace tst_commands
+
 #include "tst_commands.moc"

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+namespace tst_contract {
+
 using namespace autocuts;
 
 class TestContract : public QObject
@@ -45,5 +47,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestContract)
+
+} // namespace tst_contract
 
 #include "tst_contract.moc"

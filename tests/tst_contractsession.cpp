@@ -20,6 +20,8 @@
 #include <map>
 #include <set>
 
+namespace tst_contractsession {
+
 using namespace autocuts;
 
 namespace {
@@ -186,5 +188,7 @@ void TestContractSession::sessionsKeepTheContract()
 }
 
 QTEST_GUILESS_MAIN(TestContractSession)
+
+} // namespace tst_contractsession
 
 #include "tst_contractsession.moc"

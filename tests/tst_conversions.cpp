@@ -23,6 +23,8 @@
 #include <cmath>
 #include <cstring>
 
+namespace tst_conversions {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::viewsDae;
@@ -562,4 +564,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestConversions)
+
+} // namespace tst_conversions
+
 #include "tst_conversions.moc"

@@ -17,6 +17,8 @@
 #include <cmath>
 #include <limits>
 
+namespace tst_cornercolors {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -394,4 +396,7 @@ void TestCornerColors::losses()
 }
 
 QTEST_GUILESS_MAIN(TestCornerColors)
+
+} // namespace tst_cornercolors
+
 #include "tst_cornercolors.moc"

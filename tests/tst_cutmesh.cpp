@@ -13,6 +13,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_cutmesh {
+
 using namespace autocuts;
 using namespace autocuts::search;
 
@@ -296,4 +298,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestCutMesh)
+
+} // namespace tst_cutmesh
+
 #include "tst_cutmesh.moc"

@@ -29,6 +29,8 @@
 #include <QTimer>
 #include <QTreeWidget>
 
+namespace tst_dialogs {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -476,4 +478,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestDialogs)
+
+} // namespace tst_dialogs
+
 #include "tst_dialogs.moc"

@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace tst_docpictures {
+
 using namespace autocuts;
 using namespace autocuts::figures;
 using namespace Qt::Literals::StringLiterals;
@@ -115,4 +117,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestDocPictures)
+
+} // namespace tst_docpictures
+
 #include "tst_docpictures.moc"

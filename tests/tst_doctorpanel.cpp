@@ -8,6 +8,8 @@
 
 #include <limits>
 
+namespace tst_doctorpanel {
+
 using namespace autocuts;
 using test::Bench;
 using test::child;
@@ -77,4 +79,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestDoctorPanel)
+
+} // namespace tst_doctorpanel
+
 #include "tst_doctorpanel.moc"

@@ -19,6 +19,8 @@
 #include <limits>
 #include <numbers>
 
+namespace tst_document {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -439,4 +441,7 @@ void TestDocument::scaleOfALayout()
 }
 
 QTEST_GUILESS_MAIN(TestDocument)
+
+} // namespace tst_document
+
 #include "tst_document.moc"

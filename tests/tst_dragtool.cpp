@@ -16,12 +16,12 @@
 #include <algorithm>
 #include <functional>
 
+namespace tst_dragtool {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
-
-Q_DECLARE_METATYPE(autocuts::SelectionMode)
 
 class TestDragTool : public QObject
 {
@@ -597,4 +597,7 @@ private:
 };
 
 QTEST_MAIN(TestDragTool)
+
+} // namespace tst_dragtool
+
 #include "tst_dragtool.moc"

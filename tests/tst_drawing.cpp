@@ -11,6 +11,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+namespace tst_drawing {
+
 using namespace autocuts;
 using test::Canvases;
 
@@ -372,4 +374,7 @@ private:
 };
 
 QTEST_MAIN(TestDrawing)
+
+} // namespace tst_drawing
+
 #include "tst_drawing.moc"

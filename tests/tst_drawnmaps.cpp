@@ -12,6 +12,8 @@
 
 #include <cmath>
 
+namespace tst_drawnmaps {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::StudioSession;
@@ -97,4 +99,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestDrawnMaps)
+
+} // namespace tst_drawnmaps
+
 #include "tst_drawnmaps.moc"

@@ -16,6 +16,8 @@
 #include <functional>
 #include <limits>
 
+namespace tst_energy {
+
 using namespace autocuts;
 using namespace autocuts::energy;
 using namespace autocuts::homotopy;
@@ -399,4 +401,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestEnergy)
+
+} // namespace tst_energy
+
 #include "tst_energy.moc"

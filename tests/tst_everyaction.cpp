@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+namespace tst_everyaction {
+
 using namespace autocuts;
 using test::StudioSession;
 
@@ -56,4 +58,7 @@ private:
 };
 
 QTEST_MAIN(TestEveryAction)
+
+} // namespace tst_everyaction
+
 #include "tst_everyaction.moc"

@@ -9,6 +9,8 @@
 #include <QFileInfo>
 #include <QImage>
 
+namespace tst_exports {
+
 using namespace autocuts;
 using Desk = test::FileDesk;
 
@@ -123,4 +125,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestExports)
+
+} // namespace tst_exports
+
 #include "tst_exports.moc"

@@ -21,6 +21,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_fbxconversions {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -527,4 +529,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestFbxConversions)
+
+} // namespace tst_fbxconversions
+
 #include "tst_fbxconversions.moc"

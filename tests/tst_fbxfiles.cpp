@@ -20,6 +20,8 @@
 #include <limits>
 #include <random>
 
+namespace tst_fbxfiles {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using fbxfiles::Kind;
@@ -346,4 +348,7 @@ void TestFbxFiles::realFilesStayTheSame()
 }
 
 QTEST_GUILESS_MAIN(TestFbxFiles)
+
+} // namespace tst_fbxfiles
+
 #include "tst_fbxfiles.moc"

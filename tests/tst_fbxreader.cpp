@@ -8,13 +8,13 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_fbxreader {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using fbxfiles::Kind;
 using fbxfiles::Node;
 using fbxfiles::Object;
-
-Q_DECLARE_METATYPE(fbxfiles::Kind)
 
 namespace {
 
@@ -422,4 +422,7 @@ void TestFbxReader::stops()
 }
 
 QTEST_APPLESS_MAIN(TestFbxReader)
+
+} // namespace tst_fbxreader
+
 #include "tst_fbxreader.moc"

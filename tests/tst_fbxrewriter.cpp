@@ -9,13 +9,13 @@
 
 #include <limits>
 
+namespace tst_fbxrewriter {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using fbxfiles::Kind;
 using fbxfiles::Node;
 using fbxfiles::Object;
-
-Q_DECLARE_METATYPE(fbxfiles::Kind)
 
 namespace {
 
@@ -381,4 +381,7 @@ void TestFbxRewriter::instances()
 }
 
 QTEST_APPLESS_MAIN(TestFbxRewriter)
+
+} // namespace tst_fbxrewriter
+
 #include "tst_fbxrewriter.moc"

@@ -7,11 +7,11 @@
 
 #include <cmath>
 
+namespace tst_fbxtree {
+
 using namespace autocuts;
 using fbxfiles::Kind;
 using fbxfiles::Node;
-
-Q_DECLARE_METATYPE(fbxfiles::Kind)
 
 namespace {
 
@@ -271,4 +271,7 @@ void TestFbxTree::stops()
 }
 
 QTEST_APPLESS_MAIN(TestFbxTree)
+
+} // namespace tst_fbxtree
+
 #include "tst_fbxtree.moc"

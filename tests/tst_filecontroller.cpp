@@ -13,6 +13,8 @@
 
 #include <QDir>
 
+namespace tst_filecontroller {
+
 using namespace autocuts;
 
 namespace {
@@ -535,4 +537,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestFileController)
+
+} // namespace tst_filecontroller
+
 #include "tst_filecontroller.moc"

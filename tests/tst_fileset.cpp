@@ -14,6 +14,8 @@
 
 #include <sys/resource.h>
 
+namespace tst_fileset {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -149,7 +151,7 @@ private Q_SLOTS:
                   std::pair(u"FAILING_WITH"_s, u"kill"_s)})
                 environment.insert(name, value);
             process.setProcessEnvironment(environment);
-            process.start(QCoreApplication::applicationFilePath(), {});
+            process.start(QCoreApplication::applicationFilePath(), {QCoreApplication::applicationName()});
             QVERIFY(process.waitForFinished());
             if (call == 0)
                 calls = int(test::readBytes(at("calls.log")).count('\n'));
@@ -299,5 +301,7 @@ int main(int argc, char *argv[])
     TestFileSet test;
     return QTest::qExec(&test, argc, argv);
 }
+
+} // namespace tst_fileset
 
 #include "tst_fileset.moc"

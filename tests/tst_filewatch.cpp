@@ -9,6 +9,8 @@
 #include <QFile>
 #include <QSemaphore>
 
+namespace tst_filewatch {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -310,4 +312,7 @@ void TestFileWatch::whereItIsExported()
 }
 
 QTEST_MAIN(TestFileWatch)
+
+} // namespace tst_filewatch
+
 #include "tst_filewatch.moc"

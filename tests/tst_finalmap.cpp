@@ -14,6 +14,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_finalmap {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 using namespace autocuts::homotopy;
@@ -256,4 +258,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestFinalMap)
+
+} // namespace tst_finalmap
+
 #include "tst_finalmap.moc"

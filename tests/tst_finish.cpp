@@ -12,6 +12,8 @@
 #include <cmath>
 #include <memory>
 
+namespace tst_finish {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 using namespace autocuts::homotopy;
@@ -246,4 +248,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestFinish)
+
+} // namespace tst_finish
+
 #include "tst_finish.moc"

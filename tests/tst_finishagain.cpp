@@ -12,6 +12,8 @@
 #include <Eigen/Geometry>
 #include <QTest>
 
+namespace tst_finishagain {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -285,4 +287,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestFinishAgain)
+
+} // namespace tst_finishagain
+
 #include "tst_finishagain.moc"

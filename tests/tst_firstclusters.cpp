@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 
+namespace tst_firstclusters {
+
 using namespace autocuts;
 using namespace autocuts::search;
 
@@ -198,4 +200,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestFirstClusters)
+
+} // namespace tst_firstclusters
+
 #include "tst_firstclusters.moc"

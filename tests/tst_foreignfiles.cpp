@@ -16,6 +16,8 @@
 #include <sys/wait.h>
 #include <thread>
 
+namespace tst_foreignfiles {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -368,4 +370,7 @@ void TestForeignFiles::animatedPivotsCanBeWritten()
 }
 
 QTEST_GUILESS_MAIN(TestForeignFiles)
+
+} // namespace tst_foreignfiles
+
 #include "tst_foreignfiles.moc"

@@ -13,6 +13,8 @@
 #include <atomic>
 #include <map>
 
+namespace tst_freepart {
+
 using namespace autocuts;
 using namespace autocuts::unwrap;
 
@@ -187,4 +189,7 @@ void TestFreePart::theRestIsNotMadeWorse()
 }
 
 QTEST_GUILESS_MAIN(TestFreePart)
+
+} // namespace tst_freepart
+
 #include "tst_freepart.moc"

@@ -7,6 +7,8 @@
 
 #include <stdexcept>
 
+namespace tst_frontal {
+
 using namespace autocuts;
 using namespace autocuts::linear;
 
@@ -217,4 +219,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestFrontal)
+
+} // namespace tst_frontal
+
 #include "tst_frontal.moc"

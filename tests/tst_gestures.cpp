@@ -8,6 +8,8 @@
 
 #include <QTest>
 
+namespace tst_gestures {
+
 using namespace autocuts;
 using namespace autocuts::test;
 using namespace Qt::Literals::StringLiterals;
@@ -320,4 +322,7 @@ void TestGestures::rectangleIdsAreUsedAgain()
 }
 
 QTEST_GUILESS_MAIN(TestGestures)
+
+} // namespace tst_gestures
+
 #include "tst_gestures.moc"

@@ -16,6 +16,8 @@
 
 #include <map>
 
+namespace tst_givenmaps {
+
 using namespace autocuts;
 using namespace autocuts::unwrap;
 using namespace Qt::Literals::StringLiterals;
@@ -164,5 +166,7 @@ void TestGivenMaps::noGivenSeamIsLost()
 }
 
 QTEST_GUILESS_MAIN(TestGivenMaps)
+
+} // namespace tst_givenmaps
 
 #include "tst_givenmaps.moc"

@@ -22,6 +22,8 @@
 #include <limits>
 #include <numbers>
 
+namespace tst_givenseams {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -353,4 +355,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestGivenSeams)
+
+} // namespace tst_givenseams
+
 #include "tst_givenseams.moc"

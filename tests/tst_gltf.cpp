@@ -16,6 +16,8 @@
 #include <cmath>
 #include <random>
 
+namespace tst_gltf {
+
 using namespace autocuts;
 using namespace gltffiles;
 using namespace Qt::Literals::StringLiterals;
@@ -241,4 +243,7 @@ void TestGltf::missingCorners()
 }
 
 QTEST_GUILESS_MAIN(TestGltf)
+
+} // namespace tst_gltf
+
 #include "tst_gltf.moc"

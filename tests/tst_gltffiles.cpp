@@ -23,6 +23,8 @@
 #include <sys/resource.h>
 #endif
 
+namespace tst_gltffiles {
+
 using namespace autocuts;
 using namespace gltffiles;
 using namespace Qt::Literals::StringLiterals;
@@ -503,4 +505,7 @@ void TestGltfFiles::realFiles()
 }
 
 QTEST_GUILESS_MAIN(TestGltfFiles)
+
+} // namespace tst_gltffiles
+
 #include "tst_gltffiles.moc"

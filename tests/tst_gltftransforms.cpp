@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace tst_gltftransforms {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::viewsDae;
@@ -83,4 +85,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestGltfTransforms)
+
+} // namespace tst_gltftransforms
+
 #include "tst_gltftransforms.moc"

@@ -13,6 +13,8 @@
 #include <QOpenGLVersionFunctionsFactory>
 #include <QTest>
 
+namespace tst_gradualpicture {
+
 using namespace autocuts;
 using test::MeshPtr;
 
@@ -282,4 +284,7 @@ private:
 };
 
 QTEST_MAIN(TestGradualPicture)
+
+} // namespace tst_gradualpicture
+
 #include "tst_gradualpicture.moc"

@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+namespace tst_hiddenfaces {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -116,4 +118,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestHiddenFaces)
+
+} // namespace tst_hiddenfaces
+
 #include "tst_hiddenfaces.moc"

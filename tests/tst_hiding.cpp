@@ -12,6 +12,8 @@
 
 #include <numeric>
 
+namespace tst_hiding {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
@@ -232,4 +234,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestHiding)
+
+} // namespace tst_hiding
+
 #include "tst_hiding.moc"

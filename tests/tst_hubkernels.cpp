@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace tst_hubkernels {
+
 using namespace autocuts;
 using namespace autocuts::newton;
 
@@ -122,4 +124,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestHubKernels)
+
+} // namespace tst_hubkernels
+
 #include "tst_hubkernels.moc"

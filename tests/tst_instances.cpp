@@ -12,6 +12,8 @@
 #include <cmath>
 #include <memory>
 
+namespace tst_instances {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -157,4 +159,7 @@ private:
 };
 
 QTEST_MAIN(TestInstances)
+
+} // namespace tst_instances
+
 #include "tst_instances.moc"

@@ -18,6 +18,8 @@
 #include <numbers>
 #include <numeric>
 
+namespace tst_islandactions {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -57,7 +59,6 @@ bool same(double a, double b)
 } // namespace
 
 using Check = std::function<bool(PartsStudio &)>;
-Q_DECLARE_METATYPE(Check)
 
 class TestIslandActions : public QObject
 {
@@ -582,4 +583,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestIslandActions)
+
+} // namespace tst_islandactions
+
 #include "tst_islandactions.moc"

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_islandglide {
+
 using namespace autocuts;
 
 namespace {
@@ -116,4 +118,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestIslandGlide)
+
+} // namespace tst_islandglide
+
 #include "tst_islandglide.moc"

@@ -16,6 +16,8 @@
 #include <QSignalSpy>
 #include <QTableView>
 
+namespace tst_islandpanel {
+
 using namespace autocuts;
 using test::child;
 using test::click;
@@ -356,4 +358,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestIslandPanel)
+
+} // namespace tst_islandpanel
+
 #include "tst_islandpanel.moc"

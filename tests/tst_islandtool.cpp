@@ -10,6 +10,8 @@
 #include <QMouseEvent>
 #include <QTest>
 
+namespace tst_islandtool {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
@@ -475,4 +477,7 @@ private:
 };
 
 QTEST_MAIN(TestIslandTool)
+
+} // namespace tst_islandtool
+
 #include "tst_islandtool.moc"

@@ -10,6 +10,8 @@
 
 #include <stdexcept>
 
+namespace tst_jobrunner {
+
 using namespace autocuts;
 
 namespace {
@@ -276,4 +278,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestJobRunner)
+
+} // namespace tst_jobrunner
+
 #include "tst_jobrunner.moc"

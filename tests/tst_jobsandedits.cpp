@@ -7,6 +7,8 @@
 #include "solver/unwrap/unwrap.h"
 #include "support/mapstudio.h"
 
+namespace tst_jobsandedits {
+
 using namespace autocuts;
 using namespace autocuts::unwrap;
 using Studio = test::MapStudio;
@@ -150,4 +152,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestJobsAndEdits)
+
+} // namespace tst_jobsandedits
+
 #include "tst_jobsandedits.moc"

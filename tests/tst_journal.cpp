@@ -15,6 +15,8 @@
 
 #include <algorithm>
 
+namespace tst_journal {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -414,4 +416,7 @@ void TestJournal::differentEndIsSeen()
 }
 
 QTEST_GUILESS_MAIN(TestJournal)
+
+} // namespace tst_journal
+
 #include "tst_journal.moc"

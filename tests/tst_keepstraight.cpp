@@ -25,6 +25,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_keepstraight {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -428,4 +430,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestKeepStraight)
+
+} // namespace tst_keepstraight
+
 #include "tst_keepstraight.moc"

@@ -11,6 +11,8 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 
+namespace tst_layoutpanel {
+
 using namespace autocuts;
 using test::child;
 
@@ -190,4 +192,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestLayoutPanel)
+
+} // namespace tst_layoutpanel
+
 #include "tst_layoutpanel.moc"

@@ -12,6 +12,8 @@
 #include <numbers>
 #include <thread>
 
+namespace tst_lightbake {
+
 using namespace autocuts;
 using namespace autocuts::bake;
 
@@ -435,4 +437,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestLightBake)
+
+} // namespace tst_lightbake
+
 #include "tst_lightbake.moc"

@@ -29,6 +29,8 @@
 #include <algorithm>
 #include <ranges>
 
+namespace tst_lightdialog {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::StudioSession;
@@ -494,4 +496,7 @@ void TestLightDialog::brightLightIsSaid()
 }
 
 QTEST_MAIN(TestLightDialog)
+
+} // namespace tst_lightdialog
+
 #include "tst_lightdialog.moc"

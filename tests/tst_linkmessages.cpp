@@ -17,6 +17,8 @@
 #include <cmath>
 #include <limits>
 
+namespace tst_linkmessages {
+
 using namespace autocuts;
 using namespace autocuts::link;
 using namespace Qt::Literals::StringLiterals;
@@ -339,4 +341,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestLinkMessages)
+
+} // namespace tst_linkmessages
+
 #include "tst_linkmessages.moc"

@@ -15,6 +15,8 @@
 #include <QListWidget>
 #include <QPushButton>
 
+namespace tst_livebake {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::BakeSession;
@@ -264,4 +266,7 @@ void TestLiveBake::anotherMapIsShownLive()
 }
 
 QTEST_MAIN(TestLiveBake)
+
+} // namespace tst_livebake
+
 #include "tst_livebake.moc"

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+namespace tst_livedrags {
+
 using namespace autocuts;
 
 namespace {
@@ -108,4 +110,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestLiveDrags)
+
+} // namespace tst_livedrags
+
 #include "tst_livedrags.moc"

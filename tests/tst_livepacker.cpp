@@ -13,6 +13,8 @@
 
 #include <cmath>
 
+namespace tst_livepacker {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 
@@ -135,4 +137,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestLivePacker)
+
+} // namespace tst_livepacker
+
 #include "tst_livepacker.moc"

@@ -15,6 +15,8 @@
 #include <QFileInfo>
 #include <QTest>
 
+namespace tst_livepauses {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -140,4 +142,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestLivePauses)
+
+} // namespace tst_livepauses
+
 #include "tst_livepauses.moc"

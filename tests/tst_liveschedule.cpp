@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+namespace tst_liveschedule {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 
@@ -229,4 +231,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestLiveSchedule)
+
+} // namespace tst_liveschedule
+
 #include "tst_liveschedule.moc"

@@ -11,6 +11,8 @@
 #include <numeric>
 #include <set>
 
+namespace tst_localsolve {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 
@@ -223,4 +225,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestLocalSolve)
+
+} // namespace tst_localsolve
+
 #include "tst_localsolve.moc"

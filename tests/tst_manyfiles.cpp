@@ -15,6 +15,8 @@
 
 #include <csignal>
 
+namespace tst_manyfiles {
+
 using namespace autocuts;
 using namespace autocuts::manyfiles;
 using namespace Qt::Literals::StringLiterals;
@@ -491,4 +493,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestManyFiles)
+
+} // namespace tst_manyfiles
+
 #include "tst_manyfiles.moc"

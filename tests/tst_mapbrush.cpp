@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_mapbrush {
+
 using namespace autocuts;
 using definite::BrushSpot;
 using definite::MapBrush;
@@ -293,4 +295,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestMapBrush)
+
+} // namespace tst_mapbrush
+
 #include "tst_mapbrush.moc"

@@ -16,6 +16,8 @@
 #include <cstring>
 #include <numeric>
 
+namespace tst_mapcontroller {
+
 using namespace autocuts;
 using namespace autocuts::metrics;
 using namespace autocuts::unwrap;
@@ -446,4 +448,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestMapController)
+
+} // namespace tst_mapcontroller
+
 #include "tst_mapcontroller.moc"

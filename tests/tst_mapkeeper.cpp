@@ -15,6 +15,8 @@
 #include <functional>
 #include <numeric>
 
+namespace tst_mapkeeper {
+
 using namespace autocuts;
 using namespace autocuts::live;
 using namespace autocuts::unwrap;
@@ -507,4 +509,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestMapKeeper)
+
+} // namespace tst_mapkeeper
+
 #include "tst_mapkeeper.moc"

@@ -5,6 +5,8 @@
 #include <QJsonObject>
 #include <QTest>
 
+namespace tst_mapreporting {
+
 using namespace autocuts;
 
 namespace {
@@ -73,4 +75,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestMapReporting)
+
+} // namespace tst_mapreporting
+
 #include "tst_mapreporting.moc"

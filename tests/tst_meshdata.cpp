@@ -12,9 +12,9 @@
 #include <stdexcept>
 #include <tuple>
 
-using namespace autocuts;
+namespace tst_meshdata {
 
-Q_DECLARE_METATYPE(std::function<void(MeshData &)>)
+using namespace autocuts;
 
 namespace {
 
@@ -557,4 +557,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestMeshData)
+
+} // namespace tst_meshdata
+
 #include "tst_meshdata.moc"

@@ -13,6 +13,8 @@
 #include <QSemaphore>
 #include <QSignalSpy>
 
+namespace tst_modelpictures {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -285,4 +287,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestModelPictures)
+
+} // namespace tst_modelpictures
+
 #include "tst_modelpictures.moc"

@@ -16,6 +16,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_multires {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 using namespace autocuts::multires;
@@ -363,4 +365,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestMultires)
+
+} // namespace tst_multires
+
 #include "tst_multires.moc"

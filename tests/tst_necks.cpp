@@ -12,6 +12,8 @@
 #include <functional>
 #include <numbers>
 
+namespace tst_necks {
+
 using namespace autocuts;
 
 namespace {
@@ -164,4 +166,7 @@ void TestNecks::jobsCut()
 }
 
 QTEST_APPLESS_MAIN(TestNecks)
+
+} // namespace tst_necks
+
 #include "tst_necks.moc"

@@ -14,6 +14,8 @@
 #include <QFileInfo>
 #include <QTest>
 
+namespace tst_neverworse {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::StudioSession;
@@ -156,4 +158,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestNeverWorse)
+
+} // namespace tst_neverworse
+
 #include "tst_neverworse.moc"

@@ -21,6 +21,8 @@
 #include <sys/resource.h>
 #endif
 
+namespace tst_objdamage {
+
 using namespace autocuts;
 
 class TestObjDamage : public QObject
@@ -244,4 +246,7 @@ void TestObjDamage::mutatedFilesNeverCrash()
 }
 
 QTEST_APPLESS_MAIN(TestObjDamage)
+
+} // namespace tst_objdamage
+
 #include "tst_objdamage.moc"

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <cstring>
 
+namespace tst_objio {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -363,4 +365,7 @@ void TestObjIo::pathsInAnyAlphabet()
 }
 
 QTEST_APPLESS_MAIN(TestObjIo)
+
+} // namespace tst_objio
+
 #include "tst_objio.moc"

@@ -7,6 +7,8 @@
 
 #include <unistd.h>
 
+namespace tst_outputclash {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -148,4 +150,7 @@ void TestOutputClash::bakingAgain()
 }
 
 QTEST_GUILESS_MAIN(TestOutputClash)
+
+} // namespace tst_outputclash
+
 #include "tst_outputclash.moc"

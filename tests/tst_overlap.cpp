@@ -12,6 +12,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_overlap {
+
 using namespace autocuts;
 using namespace autocuts::overlap;
 
@@ -247,4 +249,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestOverlap)
+
+} // namespace tst_overlap
+
 #include "tst_overlap.moc"

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_overlapfree {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 
@@ -154,4 +156,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestOverlapFree)
+
+} // namespace tst_overlapfree
+
 #include "tst_overlapfree.moc"

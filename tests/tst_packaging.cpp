@@ -15,6 +15,8 @@
 #include <QStandardPaths>
 #include <QTest>
 
+namespace tst_packaging {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -317,4 +319,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestPackaging)
+
+} // namespace tst_packaging
+
 #include "tst_packaging.moc"

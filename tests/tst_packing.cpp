@@ -16,6 +16,8 @@
 #include <numbers>
 #include <tuple>
 
+namespace tst_packing {
+
 using namespace autocuts;
 using namespace autocuts::packing;
 using namespace autocuts::test;
@@ -58,8 +60,6 @@ bool isValidPair(const PackIsland &first, const PackIsland &second)
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(std::vector<PackIsland>)
 
 class TestPacking : public QObject
 {
@@ -520,4 +520,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestPacking)
+
+} // namespace tst_packing
+
 #include "tst_packing.moc"

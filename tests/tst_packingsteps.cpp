@@ -10,6 +10,8 @@
 #include <limits>
 #include <vector>
 
+namespace tst_packingsteps {
+
 using namespace autocuts;
 using namespace autocuts::packing;
 using namespace autocuts::test;
@@ -311,4 +313,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestPackingSteps)
+
+} // namespace tst_packingsteps
+
 #include "tst_packingsteps.moc"

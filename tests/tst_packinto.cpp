@@ -8,6 +8,8 @@
 #include <QTest>
 #include <QToolButton>
 
+namespace tst_packinto {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
@@ -138,4 +140,7 @@ private:
 };
 
 QTEST_MAIN(TestPackInto)
+
+} // namespace tst_packinto
+
 #include "tst_packinto.moc"

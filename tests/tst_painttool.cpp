@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+namespace tst_painttool {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
@@ -365,4 +367,7 @@ private:
 };
 
 QTEST_MAIN(TestPaintTool)
+
+} // namespace tst_painttool
+
 #include "tst_painttool.moc"

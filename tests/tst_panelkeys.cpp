@@ -12,6 +12,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+namespace tst_panelkeys {
+
 using namespace autocuts;
 using test::StudioSession;
 using namespace Qt::Literals::StringLiterals;
@@ -174,4 +176,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestPanelKeys)
+
+} // namespace tst_panelkeys
+
 #include "tst_panelkeys.moc"

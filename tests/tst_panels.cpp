@@ -30,6 +30,8 @@
 #include <QSignalSpy>
 #include <QTreeWidget>
 
+namespace tst_panels {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Bench;
@@ -577,4 +579,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestPanels)
+
+} // namespace tst_panels
+
 #include "tst_panels.moc"

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <limits>
 
+namespace tst_picking {
+
 using namespace autocuts;
 using test::MeshPtr;
 
@@ -341,4 +343,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestPicking)
+
+} // namespace tst_picking
+
 #include "tst_picking.moc"

@@ -20,6 +20,8 @@
 #include <cmath>
 #include <random>
 
+namespace tst_picturefiles {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -372,4 +374,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestPictureFiles)
+
+} // namespace tst_picturefiles
+
 #include "tst_picturefiles.moc"

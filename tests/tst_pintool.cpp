@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace tst_pintool {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
@@ -271,4 +273,7 @@ private:
 };
 
 QTEST_MAIN(TestPinTool)
+
+} // namespace tst_pintool
+
 #include "tst_pintool.moc"

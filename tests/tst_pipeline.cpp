@@ -16,6 +16,8 @@
 #include <numbers>
 #include <tuple>
 
+namespace tst_pipeline {
+
 using namespace autocuts;
 using namespace autocuts::metrics;
 using namespace autocuts::overlap;
@@ -514,4 +516,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestPipeline)
+
+} // namespace tst_pipeline
+
 #include "tst_pipeline.moc"

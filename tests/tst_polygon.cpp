@@ -9,10 +9,11 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_polygon {
+
 using namespace autocuts;
 
 using Polygon = std::vector<Vec3>;
-Q_DECLARE_METATYPE(Polygon)
 
 namespace {
 
@@ -284,4 +285,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestPolygon)
+
+} // namespace tst_polygon
+
 #include "tst_polygon.moc"

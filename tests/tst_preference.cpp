@@ -22,6 +22,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_preference {
+
 using namespace autocuts;
 using namespace autocuts::preference;
 using namespace autocuts::search;
@@ -495,4 +497,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestPreference)
+
+} // namespace tst_preference
+
 #include "tst_preference.moc"

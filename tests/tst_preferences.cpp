@@ -15,6 +15,8 @@
 #include <QTest>
 #include <QTreeWidget>
 
+namespace tst_preferences {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -387,4 +389,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestPreferences)
+
+} // namespace tst_preferences
+
 #include "tst_preferences.moc"

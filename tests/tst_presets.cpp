@@ -15,6 +15,8 @@
 
 #include <limits>
 
+namespace tst_presets {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::child;
@@ -296,4 +298,7 @@ private:
 };
 
 QTEST_MAIN(TestPresets)
+
+} // namespace tst_presets
+
 #include "tst_presets.moc"

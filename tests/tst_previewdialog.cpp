@@ -6,6 +6,8 @@
 #include <QComboBox>
 #include <QPushButton>
 
+namespace tst_previewdialog {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::GridStudio;
@@ -97,4 +99,7 @@ private:
 };
 
 QTEST_MAIN(TestPreviewDialog)
+
+} // namespace tst_previewdialog
+
 #include "tst_previewdialog.moc"

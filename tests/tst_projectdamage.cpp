@@ -18,6 +18,8 @@
 #include <unistd.h>
 #endif
 
+namespace tst_projectdamage {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -190,4 +192,7 @@ void TestProjectDamage::files()
 }
 
 QTEST_GUILESS_MAIN(TestProjectDamage)
+
+} // namespace tst_projectdamage
+
 #include "tst_projectdamage.moc"

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace tst_projecterrors {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -331,4 +333,7 @@ void TestProjectErrors::uvSetsWithImpossibleNumbers()
 }
 
 QTEST_GUILESS_MAIN(TestProjectErrors)
+
+} // namespace tst_projecterrors
+
 #include "tst_projecterrors.moc"

@@ -23,6 +23,8 @@
 #endif
 #endif
 
+namespace tst_projectfile {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -445,4 +447,7 @@ void TestProjectFile::summary()
 }
 
 QTEST_GUILESS_MAIN(TestProjectFile)
+
+} // namespace tst_projectfile
+
 #include "tst_projectfile.moc"

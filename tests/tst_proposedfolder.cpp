@@ -13,6 +13,8 @@
 #include <QDir>
 #include <QFileInfo>
 
+namespace tst_proposedfolder {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::StudioSession;
@@ -156,4 +158,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestProposedFolder)
+
+} // namespace tst_proposedfolder
+
 #include "tst_proposedfolder.moc"

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+namespace tst_quadsteering {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
@@ -139,4 +141,7 @@ private:
 };
 
 QTEST_MAIN(TestQuadSteering)
+
+} // namespace tst_quadsteering
+
 #include "tst_quadsteering.moc"

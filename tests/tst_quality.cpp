@@ -17,6 +17,8 @@
 #include <cmath>
 #include <map>
 
+namespace tst_quality {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace autocuts::metrics;
@@ -108,9 +110,6 @@ QString compared(const char *figure, double value, double pinned, Better better)
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Job)
-Q_DECLARE_METATYPE(Figures)
 
 class TestQuality : public QObject
 {
@@ -232,4 +231,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestQuality)
+
+} // namespace tst_quality
+
 #include "tst_quality.moc"

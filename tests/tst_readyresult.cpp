@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+namespace tst_readyresult {
+
 using namespace autocuts;
 using namespace autocuts::unwrap;
 
@@ -143,4 +145,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestReadyResult)
+
+} // namespace tst_readyresult
+
 #include "tst_readyresult.moc"

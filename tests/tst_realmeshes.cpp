@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+namespace tst_realmeshes {
+
 using namespace autocuts;
 
 namespace {
@@ -99,4 +101,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestRealMeshes)
+
+} // namespace tst_realmeshes
+
 #include "tst_realmeshes.moc"

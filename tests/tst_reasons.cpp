@@ -17,6 +17,8 @@
 #include <QTest>
 #include <QToolBar>
 
+namespace tst_reasons {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::StudioSession;
@@ -206,4 +208,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestReasons)
+
+} // namespace tst_reasons
+
 #include "tst_reasons.moc"

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_rectanglefit {
+
 using namespace autocuts;
 using namespace autocuts::unwrap;
 
@@ -139,5 +141,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestRectangleFit)
+
+} // namespace tst_rectanglefit
 
 #include "tst_rectanglefit.moc"

@@ -13,6 +13,8 @@
 #include <QTest>
 #include <QToolButton>
 
+namespace tst_rectangletool {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
@@ -395,4 +397,7 @@ private:
 };
 
 QTEST_MAIN(TestRectangleTool)
+
+} // namespace tst_rectangletool
+
 #include "tst_rectangletool.moc"

@@ -13,6 +13,8 @@
 #include <functional>
 #include <numbers>
 
+namespace tst_regiontool {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace autocuts::metrics;
@@ -238,4 +240,7 @@ private:
 };
 
 QTEST_MAIN(TestRegionTool)
+
+} // namespace tst_regiontool
+
 #include "tst_regiontool.moc"

@@ -9,6 +9,8 @@
 #include <QStandardPaths>
 #include <QTest>
 
+namespace tst_release {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -173,4 +175,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestRelease)
+
+} // namespace tst_release
+
 #include "tst_release.moc"

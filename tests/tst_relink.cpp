@@ -13,6 +13,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace tst_relink {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -550,4 +552,7 @@ void TestRelink::objBytesAreTheNewOnes()
 }
 
 QTEST_GUILESS_MAIN(TestRelink)
+
+} // namespace tst_relink
+
 #include "tst_relink.moc"

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+namespace tst_relinkparts {
+
 using namespace autocuts;
 
 namespace {
@@ -102,4 +104,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestRelinkParts)
+
+} // namespace tst_relinkparts
+
 #include "tst_relinkparts.moc"

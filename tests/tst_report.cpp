@@ -8,6 +8,8 @@
 #include <QJsonObject>
 #include <QTest>
 
+namespace tst_report {
+
 using namespace autocuts;
 
 namespace {
@@ -146,4 +148,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestReport)
+
+} // namespace tst_report
+
 #include "tst_report.moc"

@@ -15,6 +15,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_rigid {
+
 using namespace autocuts;
 using namespace autocuts::test::props;
 
@@ -241,4 +243,7 @@ void TestRigid::stiffnessLeavesTheBound()
 }
 
 QTEST_APPLESS_MAIN(TestRigid)
+
+} // namespace tst_rigid
+
 #include "tst_rigid.moc"

@@ -21,6 +21,8 @@
 #include <cmath>
 #include <map>
 
+namespace tst_rigs {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -396,4 +398,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestRigs)
+
+} // namespace tst_rigs
+
 #include "tst_rigs.moc"

@@ -8,6 +8,8 @@
 
 #include <QTest>
 
+namespace tst_ripping {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 using test::edgesWhere;
@@ -249,4 +251,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestRipping)
+
+} // namespace tst_ripping
+
 #include "tst_ripping.moc"

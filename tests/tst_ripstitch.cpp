@@ -16,6 +16,8 @@
 
 #include <numbers>
 
+namespace tst_ripstitch {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Artist;
@@ -488,4 +490,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestRipStitch)
+
+} // namespace tst_ripstitch
+
 #include "tst_ripstitch.moc"

@@ -8,6 +8,8 @@
 
 #include <set>
 
+namespace tst_samples {
+
 using namespace autocuts;
 
 namespace {
@@ -123,4 +125,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestSamples)
+
+} // namespace tst_samples
+
 #include "tst_samples.moc"

@@ -10,6 +10,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace tst_scenegroups {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -118,4 +120,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestSceneGroups)
+
+} // namespace tst_scenegroups
+
 #include "tst_scenegroups.moc"

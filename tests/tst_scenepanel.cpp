@@ -14,6 +14,8 @@
 #include <QTabBar>
 #include <QTableView>
 
+namespace tst_scenepanel {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::child;
@@ -299,4 +301,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestScenePanel)
+
+} // namespace tst_scenepanel
+
 #include "tst_scenepanel.moc"

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+namespace tst_seammodes {
+
 using namespace autocuts;
 using namespace autocuts::unwrap;
 
@@ -92,5 +94,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestSeamModes)
+
+} // namespace tst_seammodes
 
 #include "tst_seammodes.moc"

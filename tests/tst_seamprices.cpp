@@ -12,6 +12,8 @@
 
 #include <QTest>
 
+namespace tst_seamprices {
+
 using namespace autocuts;
 using namespace autocuts::unwrap;
 
@@ -151,4 +153,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestSeamPrices)
+
+} // namespace tst_seamprices
+
 #include "tst_seamprices.moc"

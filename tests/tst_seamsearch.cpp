@@ -18,6 +18,8 @@
 #include <cmath>
 #include <limits>
 
+namespace tst_seamsearch {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 using namespace autocuts::search;
@@ -391,4 +393,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestSeamSearch)
+
+} // namespace tst_seamsearch
+
 #include "tst_seamsearch.moc"

@@ -10,6 +10,8 @@
 
 #include <numbers>
 
+namespace tst_seamstitching {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 using test::edgesWhere;
@@ -465,4 +467,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestSeamStitching)
+
+} // namespace tst_seamstitching
+
 #include "tst_seamstitching.moc"

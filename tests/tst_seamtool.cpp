@@ -7,12 +7,12 @@
 
 #include <QTest>
 
+namespace tst_seamtool {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
-
-Q_DECLARE_METATYPE(autocuts::PairState)
 
 class TestSeamTool : public QObject
 {
@@ -272,4 +272,7 @@ private:
 };
 
 QTEST_MAIN(TestSeamTool)
+
+} // namespace tst_seamtool
+
 #include "tst_seamtool.moc"

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <numeric>
 
+namespace tst_selection {
+
 using namespace autocuts;
 
 namespace {
@@ -344,4 +346,7 @@ void TestSelection::settingNormalizesAndTells()
 }
 
 QTEST_GUILESS_MAIN(TestSelection)
+
+} // namespace tst_selection
+
 #include "tst_selection.moc"

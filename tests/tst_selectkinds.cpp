@@ -12,6 +12,8 @@
 
 #include <numeric>
 
+namespace tst_selectkinds {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
@@ -248,4 +250,7 @@ private:
 };
 
 QTEST_MAIN(TestSelectKinds)
+
+} // namespace tst_selectkinds
+
 #include "tst_selectkinds.moc"

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace tst_selectrows {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::GridStudio;
@@ -253,4 +255,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestSelectRows)
+
+} // namespace tst_selectrows
+
 #include "tst_selectrows.moc"

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+namespace tst_selectshapes {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
@@ -110,4 +112,7 @@ private:
 };
 
 QTEST_MAIN(TestSelectShapes)
+
+} // namespace tst_selectshapes
+
 #include "tst_selectshapes.moc"

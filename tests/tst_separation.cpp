@@ -17,6 +17,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_separation {
+
 using namespace autocuts;
 using namespace autocuts::overlap;
 
@@ -436,4 +438,7 @@ private:
 };
 
 QTEST_APPLESS_MAIN(TestSeparation)
+
+} // namespace tst_separation
+
 #include "tst_separation.moc"

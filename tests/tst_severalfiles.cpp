@@ -8,6 +8,8 @@
 #include <QProcess>
 #include <QTest>
 
+namespace tst_severalfiles {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -301,4 +303,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestSeveralFiles)
+
+} // namespace tst_severalfiles
+
 #include "tst_severalfiles.moc"

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace tst_shadingnormals {
+
 using namespace autocuts;
 using Normals = std::vector<Eigen::Vector3f>;
 
@@ -187,4 +189,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestShadingNormals)
+
+} // namespace tst_shadingnormals
+
 #include "tst_shadingnormals.moc"

@@ -12,6 +12,8 @@
 
 #include <cmath>
 
+namespace tst_shapetool {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
@@ -309,4 +311,7 @@ private:
 };
 
 QTEST_MAIN(TestShapeTool)
+
+} // namespace tst_shapetool
+
 #include "tst_shapetool.moc"

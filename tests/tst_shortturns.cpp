@@ -27,6 +27,8 @@
 #include <bit>
 #include <future>
 
+namespace tst_shortturns {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
@@ -397,4 +399,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestShortTurns)
+
+} // namespace tst_shortturns
+
 #include "tst_shortturns.moc"

@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+namespace tst_solver {
+
 using namespace autocuts;
 using namespace autocuts::energy;
 using namespace autocuts::homotopy;
@@ -365,4 +367,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestSolver)
+
+} // namespace tst_solver
+
 #include "tst_solver.moc"

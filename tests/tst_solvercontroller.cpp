@@ -15,6 +15,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+namespace tst_solvercontroller {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace autocuts::live;
@@ -425,4 +427,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestSolverController)
+
+} // namespace tst_solvercontroller
+
 #include "tst_solvercontroller.moc"

@@ -23,6 +23,8 @@
 
 #include <cmath>
 
+namespace tst_solverpanel {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace autocuts::live;
@@ -567,4 +569,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestSolverPanel)
+
+} // namespace tst_solverpanel
+
 #include "tst_solverpanel.moc"

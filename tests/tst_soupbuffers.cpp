@@ -19,6 +19,8 @@
 #include <limits>
 #include <set>
 
+namespace tst_soupbuffers {
+
 using namespace autocuts;
 using namespace autocuts::metrics;
 using test::MeshPtr;
@@ -591,4 +593,7 @@ private:
 };
 
 QTEST_APPLESS_MAIN(TestSoupBuffers)
+
+} // namespace tst_soupbuffers
+
 #include "tst_soupbuffers.moc"

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+namespace tst_soupchains {
+
 using namespace autocuts;
 using namespace autocuts::unwrap;
 
@@ -86,4 +88,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestSoupChains)
+
+} // namespace tst_soupchains
+
 #include "tst_soupchains.moc"

@@ -13,6 +13,8 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+namespace tst_statusbar {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using test::child;
@@ -312,4 +314,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestStatusBar)
+
+} // namespace tst_statusbar
+
 #include "tst_statusbar.moc"

@@ -22,6 +22,8 @@
 #include <numeric>
 #include <optional>
 
+namespace tst_steeringfigures {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 using namespace autocuts::homotopy;
@@ -373,4 +375,7 @@ private:
 };
 
 QTEST_MAIN(TestSteeringFigures)
+
+} // namespace tst_steeringfigures
+
 #include "tst_steeringfigures.moc"

@@ -11,6 +11,8 @@
 #include <functional>
 #include <numbers>
 
+namespace tst_stitching {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 
@@ -101,8 +103,6 @@ struct Patch
 };
 
 } // namespace
-
-Q_DECLARE_METATYPE(PairState)
 
 class TestStitching : public QObject
 {
@@ -247,4 +247,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestStitching)
+
+} // namespace tst_stitching
+
 #include "tst_stitching.moc"

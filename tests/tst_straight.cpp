@@ -19,6 +19,8 @@
 #include <functional>
 #include <numbers>
 
+namespace tst_straight {
+
 using namespace autocuts;
 using namespace autocuts::straight;
 
@@ -528,4 +530,7 @@ void TestStraight::aLiveMapAtRestIsStraight()
 }
 
 QTEST_APPLESS_MAIN(TestStraight)
+
+} // namespace tst_straight
+
 #include "tst_straight.moc"

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_straightactions {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -215,4 +217,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestStraightActions)
+
+} // namespace tst_straightactions
+
 #include "tst_straightactions.moc"

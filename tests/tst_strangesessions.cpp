@@ -19,6 +19,8 @@
 #include <cmath>
 #include <limits>
 
+namespace tst_strangesessions {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::StudioSession;
@@ -141,4 +143,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestStrangeSessions)
+
+} // namespace tst_strangesessions
+
 #include "tst_strangesessions.moc"

@@ -25,6 +25,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+namespace tst_studio {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace autocuts::metrics;
@@ -545,4 +547,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestStudio)
+
+} // namespace tst_studio
+
 #include "tst_studio.moc"

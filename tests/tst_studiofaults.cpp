@@ -29,6 +29,8 @@
 #include <cerrno>
 #include <csignal>
 
+namespace tst_studiofaults {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -158,7 +160,7 @@ private:
             environment.insert(u"QT_QPA_PLATFORM"_s, u"offscreen"_s);
         process.setProcessEnvironment(environment);
         process.setWorkingDirectory(work());
-        process.start(QCoreApplication::applicationFilePath(), {});
+        process.start(QCoreApplication::applicationFilePath(), {QCoreApplication::applicationName()});
         if (!process.waitForFinished(60'000)) {
             process.kill();
             process.waitForFinished();
@@ -271,5 +273,7 @@ int main(int argc, char *argv[])
     TestStudioFaults test;
     return QTest::qExec(&test, argc, argv);
 }
+
+} // namespace tst_studiofaults
 
 #include "tst_studiofaults.moc"

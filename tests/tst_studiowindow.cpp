@@ -22,6 +22,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+namespace tst_studiowindow {
+
 using namespace autocuts;
 using test::StudioSession;
 
@@ -473,4 +475,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestStudioWindow)
+
+} // namespace tst_studiowindow
+
 #include "tst_studiowindow.moc"

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <limits>
 
+namespace tst_tangents {
+
 using namespace autocuts;
 using Normals = std::vector<Eigen::Vector3f>;
 
@@ -301,4 +303,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestTangents)
+
+} // namespace tst_tangents
+
 #include "tst_tangents.moc"

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace tst_texeltool {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
@@ -255,4 +257,7 @@ private:
 };
 
 QTEST_MAIN(TestTexelTool)
+
+} // namespace tst_texeltool
+
 #include "tst_texeltool.moc"

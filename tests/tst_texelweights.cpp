@@ -19,6 +19,8 @@
 
 #include <cmath>
 
+namespace tst_texelweights {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using namespace autocuts::unwrap;
@@ -338,4 +340,7 @@ void TestTexelWeights::aLiveMapFollowsThem()
 }
 
 QTEST_GUILESS_MAIN(TestTexelWeights)
+
+} // namespace tst_texelweights
+
 #include "tst_texelweights.moc"

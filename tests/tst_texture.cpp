@@ -16,6 +16,8 @@
 #include <QLineEdit>
 #include <QMenu>
 
+namespace tst_texture {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::StudioSession;
@@ -264,4 +266,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestTexture)
+
+} // namespace tst_texture
+
 #include "tst_texture.moc"

@@ -14,6 +14,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace tst_texturefiles {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -356,4 +358,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestTextureFiles)
+
+} // namespace tst_texturefiles
+
 #include "tst_texturefiles.moc"

@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace tst_texturesets {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -199,4 +201,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestTextureSets)
+
+} // namespace tst_texturesets
+
 #include "tst_texturesets.moc"

@@ -21,6 +21,8 @@
 #include <QThreadPool>
 #include <QTreeWidget>
 
+namespace tst_textureviews {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -426,4 +428,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestTextureViews)
+
+} // namespace tst_textureviews
+
 #include "tst_textureviews.moc"

@@ -9,6 +9,8 @@
 #include <atomic>
 #include <stdexcept>
 
+namespace tst_threads {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 using namespace autocuts::homotopy;
@@ -163,4 +165,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestThreads)
+
+} // namespace tst_threads
+
 #include "tst_threads.moc"

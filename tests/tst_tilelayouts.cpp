@@ -17,6 +17,8 @@
 
 #include <set>
 
+namespace tst_tilelayouts {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -503,4 +505,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestTileLayouts)
+
+} // namespace tst_tilelayouts
+
 #include "tst_tilelayouts.moc"

@@ -14,6 +14,8 @@
 #include <QJsonObject>
 #include <QTest>
 
+namespace tst_tilescaling {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::readBytes;
@@ -175,4 +177,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestTileScaling)
+
+} // namespace tst_tilescaling
+
 #include "tst_tilescaling.moc"

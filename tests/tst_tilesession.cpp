@@ -20,6 +20,8 @@
 #include <QLabel>
 #include <QTreeWidget>
 
+namespace tst_tilesession {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -239,4 +241,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestTileSession)
+
+} // namespace tst_tilesession
+
 #include "tst_tilesession.moc"

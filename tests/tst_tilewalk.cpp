@@ -16,6 +16,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_tilewalk {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -342,4 +344,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestTileWalk)
+
+} // namespace tst_tilewalk
+
 #include "tst_tilewalk.moc"

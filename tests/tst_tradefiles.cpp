@@ -13,6 +13,8 @@
 
 #include <assimp/scene.h>
 
+namespace tst_tradefiles {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -315,4 +317,7 @@ void TestTradeFiles::theDocumentationNamesAll()
 }
 
 QTEST_GUILESS_MAIN(TestTradeFiles)
+
+} // namespace tst_tradefiles
+
 #include "tst_tradefiles.moc"

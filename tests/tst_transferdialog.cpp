@@ -21,6 +21,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+namespace tst_transferdialog {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::MappedModel;
@@ -377,4 +379,7 @@ void TestTransferDialog::theMenuAndThePaletteHaveIt()
 }
 
 QTEST_MAIN(TestTransferDialog)
+
+} // namespace tst_transferdialog
+
 #include "tst_transferdialog.moc"

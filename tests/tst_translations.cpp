@@ -24,6 +24,8 @@
 #include <map>
 #include <set>
 
+namespace tst_translations {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::StudioSession;
@@ -384,4 +386,7 @@ private:
 };
 
 QTEST_MAIN(TestTranslations)
+
+} // namespace tst_translations
+
 #include "tst_translations.moc"

@@ -18,6 +18,8 @@
 
 #include <memory>
 
+namespace tst_twostudios {
+
 using namespace autocuts;
 using test::StudioSession;
 
@@ -290,4 +292,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestTwoStudios)
+
+} // namespace tst_twostudios
+
 #include "tst_twostudios.moc"

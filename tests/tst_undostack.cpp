@@ -9,6 +9,8 @@
 
 #include <numeric>
 
+namespace tst_undostack {
+
 using namespace autocuts;
 
 namespace {
@@ -232,4 +234,7 @@ void TestUndoStack::packedDeltasAreExact()
 }
 
 QTEST_GUILESS_MAIN(TestUndoStack)
+
+} // namespace tst_undostack
+
 #include "tst_undostack.moc"

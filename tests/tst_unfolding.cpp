@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_unfolding {
+
 using namespace autocuts;
 using namespace autocuts::definite;
 
@@ -180,4 +182,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestUnfolding)
+
+} // namespace tst_unfolding
+
 #include "tst_unfolding.moc"

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <set>
 
+namespace tst_uniquemeshes {
+
 using namespace autocuts;
 using namespace autocuts::test;
 using namespace Qt::Literals::StringLiterals;
@@ -227,4 +229,7 @@ private:
 };
 
 QTEST_GUILESS_MAIN(TestUniqueMeshes)
+
+} // namespace tst_uniquemeshes
+
 #include "tst_uniquemeshes.moc"

@@ -17,6 +17,8 @@
 #include <map>
 #include <random>
 
+namespace tst_uvexport {
+
 using namespace autocuts;
 
 namespace {
@@ -367,4 +369,7 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestUvExport)
+
+} // namespace tst_uvexport
+
 #include "tst_uvexport.moc"

@@ -9,6 +9,8 @@
 #include <functional>
 #include <numeric>
 
+namespace tst_uvgrid {
+
 using namespace autocuts;
 
 namespace {
@@ -196,4 +198,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestUvGrid)
+
+} // namespace tst_uvgrid
+
 #include "tst_uvgrid.moc"

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_uvmetrics {
+
 using namespace autocuts;
 using namespace autocuts::metrics;
 
@@ -532,4 +534,7 @@ void TestUvMetrics::agreesWithTheIndependentProgram()
 }
 
 QTEST_APPLESS_MAIN(TestUvMetrics)
+
+} // namespace tst_uvmetrics
+
 #include "tst_uvmetrics.moc"

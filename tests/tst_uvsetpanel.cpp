@@ -11,6 +11,8 @@
 #include <QListWidget>
 #include <QToolButton>
 
+namespace tst_uvsetpanel {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::StudioSession;
@@ -201,4 +203,7 @@ private Q_SLOTS:
 };
 
 QTEST_MAIN(TestUvSetPanel)
+
+} // namespace tst_uvsetpanel
+
 #include "tst_uvsetpanel.moc"

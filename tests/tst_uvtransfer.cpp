@@ -12,6 +12,8 @@
 #include <limits>
 #include <numbers>
 
+namespace tst_uvtransfer {
+
 using namespace autocuts;
 using namespace autocuts::transfer;
 using test::MappedModel;
@@ -541,4 +543,7 @@ void TestUvTransfer::stops()
 }
 
 QTEST_GUILESS_MAIN(TestUvTransfer)
+
+} // namespace tst_uvtransfer
+
 #include "tst_uvtransfer.moc"

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+namespace tst_views {
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
@@ -436,4 +438,7 @@ private:
 };
 
 QTEST_MAIN(TestViews)
+
+} // namespace tst_views
+
 #include "tst_views.moc"

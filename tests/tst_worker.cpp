@@ -11,6 +11,8 @@
 #include <QTest>
 #include <QThread>
 
+namespace tst_worker {
+
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace autocuts::live;
@@ -325,4 +327,7 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestWorker)
+
+} // namespace tst_worker
+
 #include "tst_worker.moc"

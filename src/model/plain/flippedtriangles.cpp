@@ -41,7 +41,8 @@ std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &soupUv,
     std::vector<bool> flipped(count, false);
     for (int t = 0; t < count; ++t) {
         if (const int island = islands[mesh.triangleFace[t]]; island >= 0)
-            flipped[t] = std::abs(area[t]) >= smallestArea * total && (area[t] < 0) != (islandArea[island] < 0);
+            flipped[t] =
+                std::abs(area[t]) >= smallestArea * total && (area[t] < 0) != (islandArea[island] < 0);
     }
     return flipped;
 }

@@ -179,8 +179,7 @@ private:
                mSnapshot.mesh->triangleCount() > fullEffortTriangles &&
                mSnapshot.settings.start != StartMode::ExistingUv && !mBefore && !mSnapshot.placesIslands() &&
                !hasDecidedEdges() && !isTangled(*mSnapshot.mesh) &&
-               hasPartWithMore(manyBorders - 1, manyHandles - 1, *mSnapshot.mesh) &&
-               !isPartlyRigid();
+               hasPartWithMore(manyBorders - 1, manyHandles - 1, *mSnapshot.mesh) && !isPartlyRigid();
     }
 
     //! The best map of the seam search. \param other a further map to start from
@@ -301,7 +300,7 @@ private:
     {
         UnwrapOptions how = mOptions;
         how.quality = quality;
-        const bool hurried = 
+        const bool hurried =
             mOptions.quality == UnwrapQuality::Draft || (quality == UnwrapQuality::Draft && isPartlyRigid());
         std::optional<Candidate> best = bySoupChains(mSnapshot, how, hurried, mRanking, mJob, mIterations);
         if (best && mSnapshot.placesIslands()) {
