@@ -249,6 +249,7 @@ private Q_SLOTS:
     void theKeyUnwrapsAsThePanelSays()
     {
         StudioSession studio;
+        studio.setQuality(unwrap::UnwrapQuality::Standard);
         studio.action("file.sample.bumpycube")->trigger();
         auto *const quality = studio.window.findChild<QComboBox *>(QStringLiteral("quality"));
         QVERIFY(quality);

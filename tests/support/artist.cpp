@@ -17,6 +17,7 @@ constexpr int searchStep = 12;   // pixels
 
 Artist::Artist(const QSize &window)
 {
+    studio.setQuality(unwrap::UnwrapQuality::Standard);
     studio.window.resize(window);
     QCoreApplication::processEvents();
 }

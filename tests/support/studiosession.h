@@ -3,6 +3,7 @@
 
 #include "support/answers.h"
 #include "support/patience.h"
+#include "views/panels/unwrapform.h"
 #include "views/shell/mainwindow.h"
 #include "views/ui/preferences.h"
 
@@ -33,6 +34,14 @@ struct StudioSession
         [[maybe_unused]] const bool seen = QTest::qWaitForWindowExposed(&window);
         // A virtual screen has no window manager that would do it; without it no key is a shortcut.
         QApplication::setActiveWindow(&window);
+        setQuality(unwrap::UnwrapQuality::Draft);
+    }
+
+    //! Of unwraps. Most tests need some map only, so that sessions begin with drafts.
+    void setQuality(unwrap::UnwrapQuality quality)
+    {
+        context.map.setQuality(quality);
+        window.findChild<UnwrapForm *>()->setQuality(quality);
     }
 
     Document *document() { return context.workspace.document(); }
