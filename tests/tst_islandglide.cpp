@@ -1,4 +1,5 @@
 // How a map gives way to the next one while the solver runs: islands glide, what was cut anew fades.
+#include "commands/settexelweights.h"
 #include "model/plain/uvlayout.h"
 #include "model/plain/uvseams.h"
 #include "support/editsupport.h"
@@ -114,6 +115,34 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitFor([&] { return shown.ghost().rows() == 0; }, test::patience));
         QVERIFY(!fading.isEmpty());
         QCOMPARE(changed.size(), 1); // the map itself is uploaded once
+    }
+
+    //! Whatever has changed since it was last asked for: the map, or the texel weights.
+    void theStretchIsThatOfTheShownMap()
+    {
+        Workspace workspace;
+        Scene scene = test::sceneOf(test::grid(side));
+        const auto mesh = scene.mesh;
+        const UvMatrix even = splitMap(*mesh, 2, 0, 1, {1.5, 0}), uneven = splitMap(*mesh, 2, 0, 2, {3, 2});
+        scene.uvSets.push_back({QStringLiteral("map"), even});
+        workspace.open(std::make_unique<Document>(std::move(scene)), {});
+        Document &document = *workspace.document();
+        ShownMap shown(workspace);
+        const auto isMeasured = [&](const UvMatrix &map) {
+            const TriangleStretch expected =
+                StretchMeter(*document.weightedMesh()).measure(soupUv(*mesh, map));
+            return shown.stretch().areaLog2 == expected.areaLog2 &&
+                   shown.stretch().dirichlet == expected.dirichlet;
+        };
+        QVERIFY(isMeasured(even));
+        shown.showMap(uneven);
+        QVERIFY(isMeasured(uneven));
+        pushCommand(SetTexelWeights::uniform(document, IndexRanges::all(2), 3));
+        QVERIFY(isMeasured(uneven));
+        shown.showDocument();
+        QVERIFY(isMeasured(even));
+        document.undoStack().undo();
+        QVERIFY(isMeasured(even));
     }
 };
 
