@@ -342,6 +342,11 @@ private Q_SLOTS:
         QCOMPARE(content.refresh(SceneContent::Amount::OneOfLarge), int(SceneContent::Faces));
         QCOMPARE(content.refresh(SceneContent::Amount::OneOfLarge), int(SceneContent::Sides));
         QCOMPARE(model.refresh(SceneContent::Amount::OneOfLarge), SceneContent::Faces | SceneContent::Sides);
+        options.coloring = Coloring::SignedStretch;
+        options.wireframe = !options.wireframe;
+        studio.view.setOptions(options);
+        QCOMPARE(model.refresh(SceneContent::Amount::OneOfLarge), int(SceneContent::Measures));
+        QCOMPARE(model.refresh(SceneContent::Amount::OneOfLarge), SceneContent::Faces | SceneContent::Sides);
         content.markAll();
         QCOMPARE(content.refresh(), int(SceneContent::AllParts));
         const QImage empty = studio.mesh.picture();

@@ -253,7 +253,8 @@ const std::vector<SoupVertex> &SceneContent::vertices() const
 int SceneContent::refresh(Amount amount)
 {
     const Document *document = mContext.workspace.document();
-    const bool inTurns = amount == Amount::OneOfLarge && isLarge() && (mAsMap || !mCanBeDrawn);
+    const bool inTurns = amount == Amount::OneOfLarge && isLarge() &&
+                         (mAsMap || !mCanBeDrawn || ((mStale & Measures) && showsStretch()));
     const int parts = inTurns ? mStale & -mStale : mStale; // the first
     mStale &= ~parts;
     mCanBeDrawn = mCanBeDrawn || mStale == 0;
@@ -271,6 +272,8 @@ int SceneContent::refresh(Amount amount)
         return parts;
     }
     const MeshParts &own = meshParts();
+    if ((parts & Measures) && showsStretch())
+        mContext.shownMap.stretch();
     if ((parts & Vertices) && mAsMap) // drawn without places and light
         mVertices.assign(static_cast<std::size_t>(own.mesh->soupCornerCount()), {});
     if (parts & Uvs) {
@@ -279,8 +282,6 @@ int SceneContent::refresh(Amount amount)
     }
     if (parts & Ghost)
         rebuildGhost();
-    if ((parts & Measures) && showsStretch())
-        mContext.shownMap.stretch();
     if (parts & Faces)
         rebuildFaces();
     if (parts & Sides) {

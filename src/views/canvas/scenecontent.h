@@ -26,9 +26,9 @@ class SceneContent final : public QObject
 public:
     //! Arrays, in the order of their updates. Measures is none: it is what colours of faces are made from.
     enum Part {
-        Uvs = 1,
-        Vertices = 2,
-        Measures = 4,
+        Measures = 1,
+        Uvs = 2,
+        Vertices = 4,
         Faces = 8,
         Sides = 16,
         Ghost = 32,
@@ -38,7 +38,7 @@ public:
     enum class Amount {
         All,
         //! One array of a large mesh; changed() asks for the next. The 3D view, which has no picture of
-        //! before to show meanwhile, gets all once it can be drawn.
+        //! before to show meanwhile, gets all once it can be drawn, unless stretch has to be measured.
         OneOfLarge
     };
     //! The arrays of larger meshes are not all made in one turn of the event loop. Chosen by hand: each takes
