@@ -1,7 +1,5 @@
 #include "solver/search/blockcholesky.h"
 
-#include "solver/base/simd.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -63,7 +61,7 @@ void BlockCholesky::findRows()
     mRowIndex.resize(mPattern.size());
     mFactor.resize(mPattern.size());
     mPivot.resize(mCount);
-    mWork.assign(mCount, Quad{});
+    mWork.assign(mCount, Rows{});
     mFilled.resize(mCount);
 }
 
@@ -79,7 +77,7 @@ int BlockCholesky::place(int row, int column) const
     return static_cast<int>(std::lower_bound(first, last, column) - mColumn.begin());
 }
 
-AUTOCUTS_CLONES bool BlockCholesky::factorize(const JobContext &job)
+bool BlockCholesky::factorize(const JobContext &job)
 {
     constexpr int rowsPerLook = 256; // a row takes microseconds at the sizes of a seam search
     std::copy(mColumnStart.begin(), mColumnStart.end() - 1, mFilled.begin());
@@ -88,26 +86,26 @@ AUTOCUTS_CLONES bool BlockCholesky::factorize(const JobContext &job)
             return false;
         for (int p = mRowStart[k]; p < mRowStart[k + 1]; ++p) {
             const Block &v = mValue[p];
-            mWork[mColumn[p]] = Quad{v[0], v[1], v[2], v[3]};
+            mWork[mColumn[p]] = {Pair{v[0], v[1]}, Pair{v[2], v[3]}};
         }
         double d00 = mDiagonal[k][0], d10 = mDiagonal[k][2], d11 = mDiagonal[k][3];
         for (int p = mPatternStart[k]; p < mPatternStart[k + 1]; ++p) {
             const int j = mPattern[p];
-            const Quad y = mWork[j];
-            mWork[j] = Quad{};
+            const Rows y = mWork[j];
+            mWork[j] = Rows{};
             const Block &q = mPivot[j];
-            const double a = y[0] * q[0], b = y[0] * q[2] + y[1] * q[3];
-            const double c = y[2] * q[0], d = y[2] * q[2] + y[3] * q[3];
-            const Quad left{a, a, c, c}, right{b, b, d, d};
+            const double a = y.first[0] * q[0], b = y.first[0] * q[2] + y.first[1] * q[3];
+            const double c = y.second[0] * q[0], d = y.second[0] * q[2] + y.second[1] * q[3];
+            const Pair aa{a, a}, bb{b, b}, cc{c, c}, dd{d, d};
             const int end = mFilled[j]++;
             for (int i = mColumnStart[j]; i < end; ++i) {
-                const Quad &l = mFactor[i];
-                const Quad first = __builtin_shufflevector(l, l, 0, 1, 0, 1);
-                const Quad second = __builtin_shufflevector(l, l, 2, 3, 2, 3);
-                mWork[mRowIndex[i]] -= left * first + right * second;
+                Rows &w = mWork[mRowIndex[i]];
+                const Columns &l = mFactor[i];
+                w.first -= aa * l.first + bb * l.second;
+                w.second -= cc * l.first + dd * l.second;
             }
             mRowIndex[end] = k;
-            mFactor[end] = Quad{a, c, b, d};
+            mFactor[end] = {Pair{a, c}, Pair{b, d}};
             d00 -= a * a + b * b;
             d10 -= c * a + d * b;
             d11 -= c * c + d * d;
@@ -135,9 +133,9 @@ void BlockCholesky::solve(double *b) const
         b[2 * k + 1] = v;
         const Pair uu{u, u}, vv{v, v};
         for (int i = mColumnStart[k]; i < mColumnStart[k + 1]; ++i) {
-            const Quad &l = mFactor[i];
+            const Columns &l = mFactor[i];
             double *w = b + 2 * mRowIndex[i];
-            const Pair change = Pair{l[0], l[1]} * uu + Pair{l[2], l[3]} * vv;
+            const Pair change = l.first * uu + l.second * vv;
             w[0] -= change[0];
             w[1] -= change[1];
         }
@@ -145,10 +143,10 @@ void BlockCholesky::solve(double *b) const
     for (int k = mCount - 1; k >= 0; --k) {
         double u = b[2 * k], v = b[2 * k + 1];
         for (int i = mColumnStart[k]; i < mColumnStart[k + 1]; ++i) {
-            const Quad &l = mFactor[i];
+            const Columns &l = mFactor[i];
             const double *w = b + 2 * mRowIndex[i];
-            u -= l[0] * w[0] + l[1] * w[1];
-            v -= l[2] * w[0] + l[3] * w[1];
+            u -= l.first[0] * w[0] + l.first[1] * w[1];
+            v -= l.second[0] * w[0] + l.second[1] * w[1];
         }
         const Block &q = mPivot[k];
         b[2 * k] = q[0] * u + q[2] * v;

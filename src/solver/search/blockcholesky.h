@@ -2,7 +2,6 @@
 #pragma once
 
 #include "solver/base/jobcontext.h"
-#include "solver/base/lanes.h"
 
 #include <array>
 #include <utility>
@@ -41,10 +40,16 @@ public:
     void solve(double *b) const;
 
 private:
-    //! Vectors of two numbers and of a 2 x 2 block, with arithmetic on all of them at once.
+    //! SIMD vector of two numbers.
     using Pair = double __attribute__((vector_size(2 * sizeof(double))));
-    using Quad = double __attribute__((vector_size(4 * sizeof(double))));
-    using Quads = std::vector<Quad, LaneAllocator<Quad>>;
+    struct Rows
+    {
+        Pair first, second; //!< rows of a 2 x 2 block
+    };
+    struct Columns
+    {
+        Pair first, second; //!< columns of a 2 x 2 block
+    };
 
     void findRows();
 
@@ -53,10 +58,10 @@ private:
     std::vector<int> mRowStart, mColumn;
     std::vector<Block> mValue, mDiagonal;
     // The factor: the elimination tree (mParent), the columns of each row in order of elimination (mPattern),
-    // the rows of each column (mRowIndex) and their blocks (mFactor).
+    // the rows of each column (mRowIndex) and the blocks column by column (mFactor).
     std::vector<int> mParent, mMark, mPatternStart, mPattern, mColumnStart, mRowIndex, mFilled;
-    Quads mFactor;             //!< blocks column by column
-    Quads mWork;               //!< per row of the matrix a block row by row
+    std::vector<Columns> mFactor;
+    std::vector<Rows> mWork;
     std::vector<Block> mPivot; //!< inverses of the factor's lower triangular diagonal blocks
 };
 
