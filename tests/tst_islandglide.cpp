@@ -40,6 +40,13 @@ UvMatrix splitMap(const MeshData &mesh, int split, double angle, double scale, c
     return uv;
 }
 
+std::unique_ptr<Document> documentOf(const test::MeshPtr &mesh, const UvMatrix &map)
+{
+    Scene scene = test::sceneOf(mesh);
+    scene.uvSets.push_back({QStringLiteral("map"), map});
+    return std::make_unique<Document>(std::move(scene));
+}
+
 std::vector<float> separationOf(const MeshData &mesh, const UvMatrix &uv)
 {
     std::vector<float> separation;
@@ -93,12 +100,10 @@ private Q_SLOTS:
 
     void theShownMapIsTheNextOneAtOnce()
     {
-        Workspace workspace;
-        Scene scene = test::sceneOf(test::grid(side));
-        const auto mesh = scene.mesh;
+        const test::MeshPtr mesh = test::grid(side);
         const UvMatrix before = splitMap(*mesh, 2, 0, 1, {1.5, 0}), after = splitMap(*mesh, 2, 1, 1, {3, 2});
-        scene.uvSets.push_back({QStringLiteral("map"), before});
-        workspace.open(std::make_unique<Document>(std::move(scene)), {});
+        Workspace workspace;
+        workspace.open(documentOf(mesh, before), {});
         ShownMap shown(workspace);
         QSignalSpy changed(&shown, &ShownMap::changed), fading(&shown, &ShownMap::ghostChanged);
         double strength = 1;
@@ -120,12 +125,10 @@ private Q_SLOTS:
     //! Whatever has changed since it was last asked for: the map, or the texel weights.
     void theStretchIsThatOfTheShownMap()
     {
-        Workspace workspace;
-        Scene scene = test::sceneOf(test::grid(side));
-        const auto mesh = scene.mesh;
+        const test::MeshPtr mesh = test::grid(side);
         const UvMatrix even = splitMap(*mesh, 2, 0, 1, {1.5, 0}), uneven = splitMap(*mesh, 2, 0, 2, {3, 2});
-        scene.uvSets.push_back({QStringLiteral("map"), even});
-        workspace.open(std::make_unique<Document>(std::move(scene)), {});
+        Workspace workspace;
+        workspace.open(documentOf(mesh, even), {});
         Document &document = *workspace.document();
         ShownMap shown(workspace);
         const auto isMeasured = [&](const UvMatrix &map) {
