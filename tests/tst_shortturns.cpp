@@ -1,5 +1,6 @@
 // What would keep the window from answering is not done in one go: paints, tables, pictures.
 #include "commands/setuvs.h"
+#include "support/busypool.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
 #include "support/panelongrid.h"
@@ -9,7 +10,6 @@
 #include "views/gl/meshdrawing.h"
 #include "views/gl/patterntexture.h"
 #include "views/panels/packpanel.h"
-#include "views/ui/pooltask.h"
 
 #include <QHeaderView>
 #include <QOpenGLContext>
@@ -17,7 +17,6 @@
 #include <QPainter>
 #include <QPicture>
 #include <QResizeEvent>
-#include <QSemaphore>
 #include <QSignalSpy>
 #include <QStyledItemDelegate>
 #include <QTest>
@@ -66,21 +65,6 @@ public:
 
 private:
     mutable int mCount = 0;
-};
-
-//! Keeps all threads of the pool busy as long as it lives.
-class BusyPool final
-{
-public:
-    BusyPool()
-    {
-        for (int t = 0; t < backgroundPool().maxThreadCount(); ++t)
-            backgroundPool().start([hold = mHold] { hold->acquire(); });
-    }
-    ~BusyPool() { mHold->release(backgroundPool().maxThreadCount()); }
-
-private:
-    std::shared_ptr<QSemaphore> mHold = std::make_shared<QSemaphore>();
 };
 
 //! One face in each tile.
@@ -201,7 +185,7 @@ private Q_SLOTS:
         QCOMPARE(first.pictures().smaller.front().size(), std::size_t(3)); // 4 x 2, 2 x 1, 1 x 1
         // What nobody wants any more is not made; what was there may stay until the next is.
         {
-            const BusyPool busy;
+            const test::BusyPool busy;
             first.ask(u"second"_s, make, true);
             first.ask(u"third"_s, make, true);
             QCOMPARE(first.pictures().images.front().cacheKey(), image.cacheKey());
@@ -283,7 +267,7 @@ private Q_SLOTS:
         const QImage plainMap = studio.uv.picture(), plainModel = studio.mesh.picture();
         ViewOptions options = studio.view.options();
         {
-            const BusyPool busy;
+            const test::BusyPool busy;
             options.pattern = Pattern::Lettered;
             options.letteredCells = 3;
             studio.view.setOptions(options);
@@ -293,7 +277,7 @@ private Q_SLOTS:
         QTRY_VERIFY(studio.uv.picture() != plainMap && studio.mesh.picture() != plainModel);
         const QImage three = studio.mesh.picture();
         {
-            const BusyPool busy;
+            const test::BusyPool busy;
             options.letteredCells = 5;
             studio.view.setOptions(options);
             QCOMPARE(studio.mesh.picture(), three); // until the next is there
@@ -308,68 +292,107 @@ private Q_SLOTS:
     }
 
     //! The arrays of a large mesh are not all made in one turn. A picture has all of them.
+    void largeMeshesAreUpdatedInTurns_data()
+    {
+        QTest::addColumn<bool>("asMap");
+        QTest::newRow("map") << true;
+        QTest::newRow("model") << false;
+    }
+
     void largeMeshesAreUpdatedInTurns()
     {
+        QFETCH(bool, asMap);
         Canvases studio;
         const test::MeshPtr small = test::grid(4), large = test::grid(230);
         QVERIFY(large->triangleCount() > SceneContent::mostTrianglesAtOnce);
-        SceneContent content(studio.context, true);
-        const QSignalSpy changed(&content, &SceneContent::changed);
+        SceneContent content(studio.context, asMap);
         studio.open(test::layoutDocument(small));
-        QCOMPARE(content.refresh(SceneContent::Amount::OneOfLarge), int(SceneContent::AllParts));
+        QVERIFY(!content.isLarge());
+        QCOMPARE(content.refresh(), int(SceneContent::AllParts));
         QVERIFY(content.isUpToDate() && content.canBeDrawn());
         studio.open(test::layoutDocument(large));
-        int updated = 0;
-        for (qsizetype before = changed.count(); !content.isUpToDate(); before = changed.count()) {
-            QVERIFY(!content.canBeDrawn());
-            const int part = content.refresh(SceneContent::Amount::OneOfLarge);
-            QCOMPARE(std::popcount(unsigned(part)), 1);
-            QCOMPARE(updated & part, 0);
-            updated |= part;
-            QCOMPARE(changed.count() - before, content.isUpToDate() ? 0 : 1);
+        QVERIFY(content.isLarge());
+        for (int turns = 1; turns < std::popcount(unsigned(SceneContent::AllParts)); ++turns) {
+            QCOMPARE(content.refreshOne(), 0);
+            QVERIFY(!content.canBeDrawn() && !content.isUpToDate());
         }
-        QCOMPARE(updated, int(SceneContent::AllParts));
-        QVERIFY(content.canBeDrawn());
+        QCOMPARE(content.refreshOne(), int(SceneContent::AllParts));
+        QVERIFY(content.canBeDrawn() && content.isUpToDate());
         QCOMPARE(content.sides().size(), std::size_t(large->soupCornerCount()));
-        // A map has its picture of before to show meanwhile, a model would be drawn with arrays that do not
-        // fit.
-        SceneContent model(studio.context, false);
-        QCOMPARE(model.refresh(), int(SceneContent::AllParts));
         ViewOptions options = studio.view.options();
-        options.coloring = Coloring::Islands;
-        options.wireframe = !options.wireframe;
-        studio.view.setOptions(options);
-        QCOMPARE(content.refresh(SceneContent::Amount::OneOfLarge), int(SceneContent::Faces));
-        QCOMPARE(content.refresh(SceneContent::Amount::OneOfLarge), int(SceneContent::Sides));
-        QCOMPARE(model.refresh(SceneContent::Amount::OneOfLarge), SceneContent::Faces | SceneContent::Sides);
         options.coloring = Coloring::SignedStretch;
         options.wireframe = !options.wireframe;
         studio.view.setOptions(options);
-        QCOMPARE(model.refresh(SceneContent::Amount::OneOfLarge), int(SceneContent::Measures));
-        QCOMPARE(model.refresh(SceneContent::Amount::OneOfLarge), SceneContent::Faces | SceneContent::Sides);
-        content.markAll();
-        QCOMPARE(content.refresh(), int(SceneContent::AllParts));
-        const QImage empty = studio.mesh.picture();
-        studio.lookFromFront();
-        QVERIFY(!empty.isNull() && studio.mesh.picture() != empty);
-        QTRY_VERIFY(studio.mesh.content().isUpToDate() && studio.uv.content().isUpToDate()); // the window
+        QCOMPARE(content.refreshOne(), 0); // measures
+        QCOMPARE(content.refreshOne(), 0); // faces
+        QCOMPARE(content.refreshOne(), SceneContent::Measures | SceneContent::Faces | SceneContent::Sides);
+        // Those that were made are reported with the rest when all are wanted at once.
+        options.coloring = Coloring::Islands;
+        options.wireframe = !options.wireframe;
+        studio.view.setOptions(options);
+        QCOMPARE(content.refreshOne(), 0);
+        QCOMPARE(content.refresh(), SceneContent::Faces | SceneContent::Sides);
+        QVERIFY(content.isUpToDate());
+        QCOMPARE(content.refresh(), 0);
     }
 
-    //! Nor in the turn in which the 3D view is painted; the map of before is shown meanwhile.
-    void largeMapsAreNotUpdatedInAPaint()
+    //! What changes all the time is drawn, too.
+    void arraysThatChangeMeanwhileWaitForTheNextRound()
     {
         Canvases studio;
         studio.open(test::layoutDocument(test::grid(230)));
-        QTRY_VERIFY(studio.uv.content().isUpToDate());
-        const QImage before = studio.uv.picture();
+        SceneContent content(studio.context, true);
+        content.refresh();
+        ViewOptions options = studio.view.options();
+        const auto change = [&] {
+            options.coloring = options.coloring == Coloring::Plain ? Coloring::Islands : Coloring::Plain;
+            options.wireframe = !options.wireframe;
+            studio.view.setOptions(options);
+        };
+        change();
+        for (int round = 0; round < 3; ++round) {
+            QCOMPARE(content.refreshOne(), 0);
+            change();
+            QCOMPARE(content.refreshOne(), SceneContent::Faces | SceneContent::Sides);
+            change();
+            QVERIFY(!content.isUpToDate());
+        }
+        // Another document does not go on with a round.
+        QCOMPARE(content.refreshOne(), 0);
+        studio.open(test::layoutDocument(test::grid(231)));
+        for (int turns = 1; turns < std::popcount(unsigned(SceneContent::AllParts)); ++turns)
+            QCOMPARE(content.refreshOne(), 0);
+        QCOMPARE(content.refreshOne(), int(SceneContent::AllParts));
+    }
+
+    //! Nor in a turn in which a view is painted; the state of before is shown meanwhile.
+    void largeMeshesAreNotUpdatedInAPaint()
+    {
+        Canvases studio;
+        studio.open(test::layoutDocument(test::grid(230)));
+        studio.lookFromFront();
+        const std::array<Canvas *, 2> views{&studio.uv, &studio.mesh};
+        for (Canvas *view : views)
+            QTRY_VERIFY(view->content().isUpToDate());
+        const std::array before{studio.uv.picture(), studio.mesh.picture()};
         ViewOptions options = studio.view.options();
         options.coloring = Coloring::Islands;
         studio.view.setOptions(options);
-        QVERIFY(!studio.uv.content().isUpToDate());
-        studio.uv.repaint();
-        QVERIFY(!studio.uv.content().isUpToDate());
-        QTRY_VERIFY(studio.uv.content().isUpToDate());
-        QVERIFY(studio.uv.picture() != before);
+        for (Canvas *view : views) {
+            QVERIFY(!view->content().isUpToDate());
+            view->repaint();
+            QVERIFY(!view->content().isUpToDate());
+        }
+        for (Canvas *view : views)
+            QTRY_VERIFY(view->content().isUpToDate());
+        QVERIFY(studio.uv.picture() != before[0]);
+        QVERIFY(studio.mesh.picture() != before[1]);
+        // What a picture needs is made at once.
+        options.coloring = Coloring::Plain;
+        studio.view.setOptions(options);
+        QVERIFY(!studio.mesh.content().isUpToDate());
+        QCOMPARE(studio.mesh.picture(), before[1]);
+        QVERIFY(studio.mesh.content().isUpToDate());
     }
 
     //! What takes long of a model is done where it is read.

@@ -1,5 +1,7 @@
 // Texture sets in the window: the panel, light, channels, changed files, sessions.
+#include "commands/setuvs.h"
 #include "model/io/picturefiles.h"
+#include "support/busypool.h"
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
@@ -14,12 +16,11 @@
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScopeGuard>
-#include <QSemaphore>
 #include <QSignalSpy>
 #include <QSlider>
-#include <QThreadPool>
 #include <QTreeWidget>
+
+#include <optional>
 
 namespace tst_textureviews {
 
@@ -127,7 +128,14 @@ struct Desk : test::StudioSession
     QColor onModel()
     {
         Canvas &view = window.meshView();
-        const QImage picture = view.picture();
+        view.picture(); // asks for tangents
+        backgroundPool().waitForDone();
+        QCoreApplication::processEvents();
+        return middleOf(view.picture());
+    }
+    QColor middleOf(const QImage &picture)
+    {
+        Canvas &view = window.meshView();
         const QPointF middle = (*view.screenOf(0) + *view.screenOf(2)) / 2 + QPointF(5, 9);
         return picture.pixelColor((middle * picture.devicePixelRatio()).toPoint());
     }
@@ -222,19 +230,14 @@ private Q_SLOTS:
         QVERIFY(desk.loaded());
         QTRY_VERIFY(!progress->isVisible());
         // All threads that read pictures are busy for as long as the test wants.
-        QThreadPool &pool = backgroundPool();
-        const auto hold = std::make_shared<QSemaphore>();
-        for (int t = 0; t < pool.maxThreadCount(); ++t)
-            pool.start([hold] { hold->acquire(); });
-        auto release = qScopeGuard([&] { hold->release(pool.maxThreadCount()); });
+        std::optional<test::BusyPool> busy(std::in_place);
         desk.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(desk.shown(0), u"wood_BaseColor.png"_s); // the document is there at once
         QTRY_VERIFY(progress->isVisible());
         QCOMPARE(progress->maximum(), 0); // moves
         const auto *bar = desk.window.findChild<StatusBar *>();
         QVERIFY2(bar->shownText().contains(u"eading textures"_s), qPrintable(bar->shownText()));
-        release.dismiss();
-        hold->release(pool.maxThreadCount());
+        busy.reset();
         QVERIFY(desk.loaded());
         QVERIFY(!progress->isVisible());
         QVERIFY(!bar->shownText().contains(u"eading textures"_s));
@@ -269,6 +272,33 @@ private Q_SLOTS:
         desk.document()->undoStack().undo();
         QVERIFY(desk.loaded());
         QVERIFY(std::abs(brightness(desk.onModel()) - up) < 6);
+    }
+
+    //! Tangents take long. A map has those of the map before until its own are there.
+    void tangentsAreMadeOnAnotherThread()
+    {
+        Desk desk;
+        desk.loadFolder();
+        Canvas &view = desk.window.meshView();
+        const int up = brightness(desk.onModel());
+        const Document &document = *desk.document();
+        QCOMPARE(document.islands().count(), 1);
+        const UvMatrix before = document.uv();
+        UvMatrix turned = before; // half a turn: up is down
+        turned.array() = 1 - before.array();
+        {
+            const test::BusyPool busy;
+            desk.document()->undoStack().push(
+                std::make_unique<SetUvs>(*desk.document(), UvEdit::Rotate, turned));
+            QVERIFY(std::abs(brightness(desk.middleOf(view.picture())) - up) < 6);
+            desk.document()->undoStack().undo();
+            view.picture();
+            desk.document()->undoStack().redo();
+            QVERIFY(std::abs(brightness(desk.middleOf(view.picture())) - up) < 6);
+        }
+        QTRY_VERIFY(brightness(desk.middleOf(view.picture())) < up - 30);
+        desk.document()->undoStack().undo();
+        QTRY_VERIFY(std::abs(brightness(desk.middleOf(view.picture())) - up) < 6);
     }
 
     void lightCanBeChanged()

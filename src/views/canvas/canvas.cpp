@@ -5,7 +5,9 @@
 #include "views/canvas/toolmanager.h"
 #include "views/control/livebake.h"
 #include "views/control/modelpictures.h"
+#include "views/control/shownmap.h"
 #include "views/control/workspace.h"
+#include "views/ui/pooltask.h"
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
@@ -13,6 +15,7 @@
 #include <QOpenGLPaintDevice>
 #include <QOpenGLVersionFunctionsFactory>
 #include <QPainter>
+#include <QPointer>
 #include <QScopedValueRollback>
 
 #include <cmath>
@@ -26,14 +29,14 @@ namespace {
 //! Milliseconds that uploading pictures may take in one turn of the event loop. Chosen by hand.
 constexpr int timeOfTurn = 8;
 
-//! The last upload of a part of a picture. The timers of all views may be served in one turn of the event
-//! loop; then only one view goes on.
-struct LastUpload
+//! The last work between two paints. The timers of all views may be served in one turn of the event loop;
+//! then only one view goes on.
+struct LastWork
 {
     const Canvas *view = nullptr;
-    QElapsedTimer time;
+    QElapsedTimer time; //!< since its end
 };
-LastUpload lastUpload;
+LastWork lastWork;
 constexpr int timeOfOthers = 2; // milliseconds
 
 QSurfaceFormat canvasFormat()
@@ -57,6 +60,8 @@ Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWid
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(80, 80);
     connect(&mContent, &SceneContent::changed, this, &Canvas::changePicture);
+    mWorkSoon.setSingleShot(true);
+    connect(&mWorkSoon, &QTimer::timeout, this, &Canvas::takeTurn);
     mUploadSoon.setSingleShot(true);
     connect(&mUploadSoon, &QTimer::timeout, this, &Canvas::uploadOn);
     for (const auto &[made, pattern] :
@@ -146,6 +151,39 @@ void Canvas::releaseGl()
 void Canvas::changePicture()
 {
     ++mRevision;
+    if (mContent.isLarge() && !mContent.isUpToDate())
+        workSoon();
+    else
+        update();
+}
+
+bool Canvas::isTurnOfOthers() const
+{
+    return lastWork.view != this && lastWork.time.isValid() && !lastWork.time.hasExpired(timeOfOthers);
+}
+
+void Canvas::takeTurn()
+{
+    if (!mGl || !isVisible())
+        return; // the next paint goes on
+    if (isTurnOfOthers())
+        return workSoon();
+    workOn();
+    lastWork.view = this;
+    lastWork.time.start();
+}
+
+void Canvas::workOn()
+{
+    if (!mContent.isLarge() || mContent.isUpToDate())
+        return update();
+    const int parts = mContent.refreshOne();
+    if (parts == 0)
+        return workSoon();
+    makeCurrent();
+    uploadArrays(parts);
+    doneCurrent();
+    mArraysAreNew = true;
     update();
 }
 
@@ -219,15 +257,15 @@ void Canvas::uploadOn()
 {
     if (!mGl || !mGl->pictures.isBusy())
         return;
-    if (lastUpload.view != this && lastUpload.time.isValid() && !lastUpload.time.hasExpired(timeOfOthers)) {
+    if (isTurnOfOthers()) {
         mUploadSoon.start();
         return;
     }
     makeCurrent();
     mGl->pictures.goOn(timeOfTurn);
     doneCurrent();
-    lastUpload.view = this;
-    lastUpload.time.start();
+    lastWork.view = this;
+    lastWork.time.start();
     if (mGl->pictures.isBusy())
         mUploadSoon.start();
     else
@@ -246,14 +284,43 @@ void Canvas::uploadForLight()
         mGl->environment.set(*environment);
     }
     if (mContent.mesh() && (liveNormals || pictures.haveNormals()) && mContent.isUpToDate() &&
-        std::exchange(mTangentsStale, false))
-        mGl->soup.setTangents(mContent.tangents());
+        !studio().shownMap.isLive() && mTangentsStale && !mMakesTangents)
+        makeTangents();
 }
 
-void Canvas::uploadArrays(SceneContent::Amount amount)
+//! On another thread. A model has those of its map before until they are there.
+void Canvas::makeTangents()
 {
-    const int parts = mContent.refresh(amount);
+    mTangentsStale = false;
+    mMakesTangents = true;
+    const Scene &scene = studio().workspace.document()->state().scene;
+    const auto end = [this, view = QPointer(this), of = scene.mesh](std::span<const float> tangents) {
+        if (!view)
+            return;
+        mMakesTangents = false;
+        if (mGl && mContent.mesh() == of.get() && !studio().shownMap.isLive()) {
+            makeCurrent();
+            mGl->soup.setTangents(tangents);
+            doneCurrent();
+        }
+        changePicture(); // asks for others when the map has changed meanwhile
+    };
+    runOnPool(
+        backgroundPool(),
+        [mesh = scene.mesh, uv = studio().workspace.document()->uv(), hardEdges = scene.hardEdges] {
+            return soupTangents(*mesh, uv, hardEdges);
+        },
+        [end](const std::vector<float> &tangents) { end(tangents); }, [end](const QString &) { end({}); });
+}
+
+//! \param parts SceneContent::Part
+void Canvas::uploadArrays(int parts)
+{
+    if (parts != 0)
+        ++mRevision;
     mTangentsStale |= (parts & (SceneContent::Vertices | SceneContent::Uvs)) != 0;
+    if ((parts & SceneContent::Vertices) || ((parts & SceneContent::Uvs) && studio().shownMap.isLive()))
+        mGl->soup.setTangents({}); // a map that is solved has none
     if (parts & SceneContent::Vertices)
         mGl->soup.setVertices(mContent.vertices());
     if (parts & SceneContent::Uvs)
@@ -272,7 +339,10 @@ void Canvas::uploadArrays(SceneContent::Amount amount)
 
 void Canvas::upload()
 {
-    uploadArrays(mPainting ? SceneContent::Amount::OneOfLarge : SceneContent::Amount::All);
+    if (!mPainting || !mContent.isLarge())
+        uploadArrays(mContent.refresh());
+    else if (!mContent.isUpToDate())
+        workSoon();
     uploadPictures();
     uploadForLight();
 }

@@ -60,10 +60,15 @@ protected:
     virtual void drawOverlay(QPainter &painter) = 0;
     //! The part of the view above its cover.
     QRect uncovered() const;
-    //! Fills the buffers with what has changed.
+    //! Fills the buffers with what has changed. In a paint of a large mesh those for the arrays stay as they
+    //! are: workOn() fills them.
     void upload();
-    //! The same for the arrays alone.
-    void uploadArrays(SceneContent::Amount amount);
+    //! Works for the next picture between two paints: updates one array of a large mesh.
+    virtual void workOn();
+    void workSoon() { mWorkSoon.start(); }
+    //! True when arrays of a large mesh are to be updated before a picture begins that is drawn gradually.
+    bool arraysComeFirst() const { return mContent.isLarge() && !mContent.isUpToDate() && !mArraysAreNew; }
+    void pictureBegins() { mArraysAreNew = false; }
     //! Grows with every change of what drawScene() draws but that of the camera.
     quint64 revision() const { return mRevision; }
     //! Null when there is nothing to draw with.
@@ -107,12 +112,16 @@ protected:
 
 private:
     void releaseGl();
+    void takeTurn();
+    bool isTurnOfOthers() const;
+    void uploadArrays(int parts);
     void changePicture();
     void choosePicture();
     const Pictures &wantedPictures() const;
     void uploadPictures();
     void uploadOn();
     void uploadForLight();
+    void makeTangents();
     void updateCursor();
     void placeCursor(const QPointF &pixel);
     void endLostGestures(Qt::MouseButtons held);
@@ -124,12 +133,15 @@ private:
     bool mPainting = false; //!< for the window, not for a picture
     bool mResizing = false; //!< the base class paints at once, before the window does
     SceneContent mContent;
+    bool mArraysAreNew = false; //!< no picture has been begun with those that workOn() updated last
     MadePictures mTexture, mLetters;
-    bool mTextureStale = true, mTangentsStale = true;
+    bool mTextureStale = true;
+    bool mTangentsStale = true, mMakesTangents = false;
     std::shared_ptr<const Environment> mEnvironment; //!< in graphics memory
     Pattern mPictured = Pattern::None;               //!< of the pictures that are wanted
     Pattern mUploaded = Pattern::None;               //!< of those that were uploaded last
-    QTimer mUploadSoon;                              //!< goes on with the upload
+    QTimer mWorkSoon;
+    QTimer mUploadSoon;               //!< goes on with the upload of pictures
     std::unique_ptr<GlResources> mGl; //!< null before the first paint, and when OpenGL is not available
     QString mGlError;                 //!< why OpenGL is not available
     QMetaObject::Connection mContextGone;

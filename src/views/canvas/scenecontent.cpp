@@ -2,8 +2,6 @@
 
 #include "model/document/givenseams.h"
 #include "model/plain/flippedtriangles.h"
-#include "model/plain/shadingnormals.h"
-#include "model/plain/tangents.h"
 #include "model/plain/uvlayout.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
@@ -17,13 +15,6 @@
 
 namespace autocuts {
 
-namespace {
-
-//! They are made on the thread of the window, after each edit of the map. Chosen by hand.
-constexpr int mostTangentTriangles = 200000;
-
-} // namespace
-
 //! Data made once per mesh.
 struct SceneContent::MeshParts
 {
@@ -31,7 +22,6 @@ struct SceneContent::MeshParts
 
     std::shared_ptr<const MeshDrawing> drawing;
     std::shared_ptr<const MeshData> mesh;
-    mutable std::vector<Eigen::Vector3f> normals; //!< of corners; made when tangents are first asked for
 };
 
 SceneContent::SceneContent(const StudioContext &context, bool asMap, QObject *parent)
@@ -80,6 +70,7 @@ void SceneContent::mark(int parts)
 void SceneContent::markAll()
 {
     mCanBeDrawn = false;
+    mRound = mMade = 0;
     mark(AllParts);
 }
 
@@ -218,22 +209,6 @@ const UvMatrix &SceneContent::uv() const
     return mShownUv;
 }
 
-std::vector<float> SceneContent::tangents() const
-{
-    const Document &document = *mContext.workspace.document();
-    if (mContext.shownMap.isLive() || document.mesh().triangleCount() > mostTangentTriangles)
-        return {};
-    const MeshParts &own = meshParts();
-    if (own.normals.empty())
-        own.normals = shadingNormals(*own.mesh, document.state().scene.hardEdges);
-    std::vector<float> result;
-    result.reserve(static_cast<std::size_t>(4 * document.mesh().soupCornerCount()));
-    for (const Tangent &tangent : mikkTangents(*own.mesh, document.uv(), own.normals))
-        result.insert(result.end(),
-                      {tangent.direction.x(), tangent.direction.y(), tangent.direction.z(), tangent.sign});
-    return result;
-}
-
 bool SceneContent::isHidden(int soupCorner) const
 {
     const Document &document = *mContext.workspace.document();
@@ -250,16 +225,33 @@ const std::vector<SoupVertex> &SceneContent::vertices() const
     return mAsMap || !mMeshParts ? mVertices : mMeshParts->drawing->vertices;
 }
 
-int SceneContent::refresh(Amount amount)
+int SceneContent::refresh()
+{
+    const int stale = std::exchange(mStale, 0);
+    mRound = 0;
+    mCanBeDrawn = true;
+    update(stale);
+    return stale | std::exchange(mMade, 0);
+}
+
+int SceneContent::refreshOne()
+{
+    if (mRound == 0)
+        mRound = mStale;
+    const int part = mRound & -mRound; // the first
+    mRound &= ~part;
+    mStale &= ~part;
+    mMade |= part;
+    update(part);
+    if (mRound != 0)
+        return 0;
+    mCanBeDrawn = true;
+    return std::exchange(mMade, 0);
+}
+
+void SceneContent::update(int parts)
 {
     const Document *document = mContext.workspace.document();
-    const bool inTurns = amount == Amount::OneOfLarge && isLarge() &&
-                         (mAsMap || !mCanBeDrawn || ((mStale & Measures) && showsStretch()));
-    const int parts = inTurns ? mStale & -mStale : mStale; // the first
-    mStale &= ~parts;
-    mCanBeDrawn = mCanBeDrawn || mStale == 0;
-    if (mStale != 0)
-        Q_EMIT changed();
     if (!document) {
         mVertices.clear();
         mUvs.clear();
@@ -269,7 +261,7 @@ int SceneContent::refresh(Amount amount)
         mTriangleIslands.clear();
         mSides.clear();
         mPoints.clear();
-        return parts;
+        return;
     }
     const MeshParts &own = meshParts();
     if ((parts & Measures) && showsStretch())
@@ -293,7 +285,6 @@ int SceneContent::refresh(Amount amount)
     }
     if (parts & Points)
         rebuildPoints();
-    return parts;
 }
 
 void SceneContent::rebuildGhost()

@@ -18,7 +18,7 @@ struct ChangeEvent;
 
 //! The arrays of gl/soupbuffers.h for the open document. Events only mark arrays as outdated; refresh()
 //! updates them before they are drawn. All those of a large mesh take long, so a window that has to answer
-//! lets them be made one after the other.
+//! updates one in each turn of its event loop: refreshOne().
 class SceneContent final : public QObject
 {
     Q_OBJECT
@@ -34,12 +34,6 @@ public:
         Ghost = 32,
         Points = 64,
         AllParts = 127
-    };
-    enum class Amount {
-        All,
-        //! One array of a large mesh; changed() asks for the next. The 3D view, which has no picture of
-        //! before to show meanwhile, gets all once it can be drawn, unless stretch has to be measured.
-        OneOfLarge
     };
     //! The arrays of larger meshes are not all made in one turn of the event loop. Chosen by hand: each takes
     //! some 20 to 50 ms for 400,000 triangles.
@@ -62,8 +56,12 @@ public:
     //! Bounding box of what is shown of the map at the last refresh(); empty when there is nothing.
     const Eigen::AlignedBox2d &uvBox() const { return mUvBox; }
 
-    //! Updates arrays. \returns a mask of the arrays that changed since the last call
-    int refresh(Amount amount = Amount::All);
+    //! Updates all arrays. \returns a mask of those that changed since they were last reported
+    int refresh();
+    //! Updates one of the arrays that were outdated when the first of them was updated. What changes
+    //! meanwhile waits for the next round, or a map that changes all the time would never be drawn.
+    //! \returns a mask of the arrays of the round when this was the last, otherwise 0 \pre !isUpToDate()
+    int refreshOne();
     //! False while an array is outdated.
     bool isUpToDate() const { return mStale == 0; }
     //! True when all arrays have been updated since the document was replaced, so that they fit each other.
@@ -73,9 +71,6 @@ public:
 
     const std::vector<SoupVertex> &vertices() const;
     const std::vector<float> &uvs() const { return mUvs; }
-    //! Tangents for normal maps, three numbers for each soup corner and the side of the bitangent. Empty for
-    //! a live map, and for so many triangles that they would take long. \pre mesh()
-    std::vector<float> tangents() const;
     //! What shines through a live map in the UV view: the ghost of the shown map or, behind the soup, the map
     //! that closing its gaps would give. Empty otherwise.
     const std::vector<float> &ghostUvs() const { return mGhostUvs; }
@@ -104,6 +99,7 @@ private:
     void optionsChanged();
     void preferencesChanged();
     const MeshParts &meshParts() const;
+    void update(int parts);
     void rebuildGhost();
     void rebuildFaces();
     std::vector<float> measureDensity();
@@ -115,6 +111,7 @@ private:
     const StudioContext mContext;
     const bool mAsMap;
     int mStale = AllParts;
+    int mRound = 0, mMade = 0; //!< of refreshOne(): what is to be updated, and what was
     bool mCanBeDrawn = false;
     mutable std::unique_ptr<const MeshParts> mMeshParts; //!< of the open document; made when needed
     mutable UvMatrix mShownUv; //!< uv() when faces are hidden; without rows when it is outdated

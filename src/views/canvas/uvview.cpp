@@ -49,8 +49,6 @@ UvView::UvView(const StudioContext &context, ToolManager &tools, QWidget *parent
     : Canvas(Kind::Map, context, tools, parent)
 {
     setObjectName(u"uvView"_s);
-    mDrawSoon.setSingleShot(true);
-    connect(&mDrawSoon, &QTimer::timeout, this, &UvView::drawOn);
     mSizeSettles.setSingleShot(true);
     mSizeSettles.setInterval(timeToSettle);
     connect(&mSizeSettles, &QTimer::timeout, this, qOverload<>(&UvView::update));
@@ -275,33 +273,29 @@ bool UvView::showGradually(GlResources &gl)
 {
     const QSize pixels = size() * devicePixelRatioF();
     GradualPicture &picture = gl.gradual;
-    const bool arraysFirst =
-        content().isLarge() && !content().isUpToDate(); // not while the 3D view is painted
     const bool lastOneDoes = picture.isShown() && mSizeSettles.isActive();
-    if (!arraysFirst && !lastOneDoes && !picture.isBusy() && !picture.has(scene(gl), pixels)) {
+    if (!arraysComeFirst() && !lastOneDoes && !picture.isBusy() && !picture.has(scene(gl), pixels)) {
         upload();
+        pictureBegins();
         picture.begin(scene(gl), pixels);
         picture.goOn(gl.forMap(), timeOfPaint);
     }
     picture.show(gl.forMap(), defaultFramebufferObject(), pixels, mCamera);
-    if (picture.isBusy() || arraysFirst)
-        mDrawSoon.start();
+    if (picture.isBusy() || arraysComeFirst())
+        workSoon();
     return true;
 }
 
-void UvView::drawOn()
+void UvView::workOn()
 {
-    GlResources *gl = resources();
-    if (!gl || (!gl->gradual.isBusy() && content().isUpToDate()))
-        return;
+    GlResources &gl = *resources();
+    if (!gl.gradual.isBusy())
+        return Canvas::workOn();
     makeCurrent();
-    if (gl->gradual.isBusy())
-        gl->gradual.goOn(gl->forMap(), timeOfPieces);
-    else
-        uploadArrays(SceneContent::Amount::OneOfLarge);
+    gl.gradual.goOn(gl.forMap(), timeOfPieces);
     doneCurrent();
-    if (gl->gradual.isBusy() || !content().isUpToDate())
-        mDrawSoon.start();
+    if (gl.gradual.isBusy())
+        workSoon();
     else
         update();
 }

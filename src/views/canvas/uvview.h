@@ -40,6 +40,7 @@ public:
 protected:
     void drawScene(GlResources &gl) override;
     bool showGradually(GlResources &gl) override;
+    void workOn() override;
     void drawOverlay(QPainter &painter) override;
     void navigate(Navigation navigation, const QPointF &pixels, const QPointF &start) override;
     void zoomAt(double factor, const QPointF &pixel) override;
@@ -52,7 +53,6 @@ private:
     int shownChannel() const;
     PaperDrawing paper(GlResources &gl) const;
     MapScene scene(GlResources &gl) const;
-    void drawOn();
     std::vector<std::pair<int, QColor>> tilesInUse() const;
     void frameIfLost();
     //! What the rulers cover.
@@ -60,7 +60,6 @@ private:
 
     std::function<QString()> mEmptyHint;
     MapCamera mCamera;
-    QTimer mDrawSoon;       //!< goes on with the picture
     QTimer mSizeSettles;    //!< runs while the view gets one size after another
     bool mFramesAll = true; //!< shows everything, also when its size changes, until the camera is moved
     bool mWasLive = false;  //!< ShownMap::isLive() at its last change

@@ -4,6 +4,7 @@
 #include "model/plain/parallel.h"
 #include "model/plain/picture.h"
 #include "model/plain/shadingnormals.h"
+#include "model/plain/tangents.h"
 #include "model/plain/unionfind.h"
 #include "views/gl/colormap.h"
 
@@ -43,6 +44,16 @@ std::vector<SoupVertex> soupVertices(const MeshData &mesh, const std::vector<boo
                        {normal.x(), normal.y(), normal.z()}};
     }
     return vertices;
+}
+
+std::vector<float> soupTangents(const MeshData &mesh, const UvMatrix &uv, const std::vector<bool> &hardEdges)
+{
+    std::vector<float> result;
+    result.reserve(4 * static_cast<std::size_t>(mesh.soupCornerCount()));
+    for (const Tangent &tangent : mikkTangents(mesh, uv, shadingNormals(mesh, hardEdges)))
+        result.insert(result.end(),
+                      {tangent.direction.x(), tangent.direction.y(), tangent.direction.z(), tangent.sign});
+    return result;
 }
 
 std::vector<float> soupUvs(const UvMatrix &uv)

@@ -61,6 +61,9 @@ struct PointVertex
 //! One per soup corner, with its shadingNormals(). \param hardEdges as in Scene::hardEdges
 std::vector<SoupVertex> soupVertices(const MeshData &mesh, const std::vector<bool> &hardEdges,
                                      const MeshFrame &frame);
+//! The tangents for normal maps: three numbers per soup corner and the side of the bitangent, as in Tangent.
+//! Takes seconds for a million triangles. \param uv one row per polygon corner \param hardEdges as above
+std::vector<float> soupTangents(const MeshData &mesh, const UvMatrix &uv, const std::vector<bool> &hardEdges);
 //! Two numbers per soup corner, noUv where the triangle has no UVs. \param uv one row per soup corner
 std::vector<float> soupUvs(const UvMatrix &uv);
 //! Previews the finished map of a running solve: corner pairs with a separation below 0.5 are closed, and
