@@ -360,7 +360,12 @@ private Q_SLOTS:
         Snapshot snapshot;
         snapshot.mesh = test::cube();
         QVERIFY(!carried(snapshot, Soup::build(snapshot.mesh)));
-        QVERIFY(!suitsCoarseToFine(snapshot));
+        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
+        snapshot.mesh = test::grid(75); // 11,250 triangles
+        QVERIFY(suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
+        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Standard));
+        snapshot.settings.start = StartMode::ExistingUv;
+        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
     }
 };
 

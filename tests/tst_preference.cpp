@@ -317,6 +317,20 @@ private Q_SLOTS:
         QVERIFY(std::abs(found->normal.x()) > 0.99);
         QVERIFY(found->matchedArea > 0.75 && found->matchedArea < 0.999);
         QCOMPARE(findSymmetry(*mesh)->matchedArea, 1.0);
+        const std::atomic<bool> stop = true;
+        QVERIFY(!findSymmetry(*mesh, Exactness::Loose, JobContext(&stop)));
+        // The images are the vertices nearest to the mirrored ones, of all.
+        const MeshData &m = *nearly;
+        const auto mirrored = [&](int v) {
+            const Vec3 p = m.positions.row(v);
+            return Vec3(p - 2 * found->normal.dot(p - found->point) * found->normal);
+        };
+        for (int v = 0; v < m.vertexCount(); ++v) {
+            const int image = found->mirrorVertex[v];
+            const double least =
+                (m.positions.rowwise() - mirrored(v).transpose()).rowwise().norm().minCoeff();
+            QVERIFY(image < 0 || (Vec3(m.positions.row(image)) - mirrored(v)).norm() < least + 1e-9);
+        }
         SolveSettings settings;
         settings.symmetry = true;
         const UnwrapResult result = draft(nearly, settings);

@@ -22,56 +22,86 @@ constexpr double tolerance = 0.1, looseTolerance = 0.6, firstTolerance = 1.5;
 constexpr double mostReach = 0.02; // of the size of the model: the edges of coarse models are long
 constexpr int planeSteps = 8;
 
-//! Welded vertices sorted into cubes whose side is twice the tolerance.
-class PointGrid
+//! Welded vertices in the order of a k-d tree: the middle one of a range divides the others by one
+//! coordinate. Takes the same time however many are near each other, in models with fine details.
+class PointTree
 {
 public:
-    PointGrid(const MeshData &mesh, double radius) : mMesh(mesh), mRadius(radius)
+    PointTree(const MeshData &mesh, double radius) : mMesh(mesh), mRadius(radius)
     {
         for (int v = 0; v < mesh.vertexCount(); ++v) {
             if (mesh.vertexWeld[v] == v)
-                mPoints.emplace_back(cellOf(mesh.positions.row(v)), v);
+                mPoints.push_back({v, 0});
         }
-        std::sort(mPoints.begin(), mPoints.end());
+        divide(0, mPoints.size());
     }
 
     //! The vertex nearest to a point within the tolerance, -1 when there is none.
     int nearest(const Vec3 &p) const
     {
-        int best = -1;
-        double least = mRadius * mRadius;
-        const Cell low = cellOf(p - Vec3::Constant(mRadius)), high = cellOf(p + Vec3::Constant(mRadius));
-        Cell cell;
-        for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0]) {
-            for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1]) {
-                for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2]) {
-                    for (auto at = std::lower_bound(mPoints.begin(), mPoints.end(), std::pair(cell, -1));
-                         at != mPoints.end() && at->first == cell; ++at) {
-                        const double d = (Vec3(mMesh.positions.row(at->second)) - p).squaredNorm();
-                        if (d < least) {
-                            least = d;
-                            best = at->second;
-                        }
-                    }
-                }
-            }
-        }
-        return best;
+        Nearest found{p, mRadius * mRadius};
+        search(0, mPoints.size(), found);
+        return found.vertex;
     }
 
 private:
-    using Cell = std::array<std::int64_t, 3>;
-    Cell cellOf(const Vec3 &p) const
+    struct Point
     {
-        Cell cell;
-        for (int i = 0; i < 3; ++i)
-            cell[i] = static_cast<std::int64_t>(std::floor(std::clamp(p[i] / (2 * mRadius), -1e15, 1e15)));
-        return cell;
+        int vertex;
+        int axis; //!< of the coordinate that divides the points before from those after
+    };
+    struct Nearest
+    {
+        Vec3 place;
+        double squared; //!< distance
+        int vertex = -1;
+    };
+
+    Vec3 at(std::size_t i) const { return mMesh.positions.row(mPoints[i].vertex); }
+
+    void divide(std::size_t first, std::size_t end)
+    {
+        if (end - first < 2)
+            return;
+        Vec3 low = at(first), high = low;
+        for (std::size_t i = first; i < end; ++i) {
+            low = low.cwiseMin(at(i));
+            high = high.cwiseMax(at(i));
+        }
+        int axis = 0;
+        (high - low).maxCoeff(&axis);
+        const std::size_t middle = first + (end - first) / 2;
+        const auto less = [&](const Point &a, const Point &b) {
+            return std::pair(mMesh.positions(a.vertex, axis), a.vertex) <
+                   std::pair(mMesh.positions(b.vertex, axis), b.vertex);
+        };
+        const auto begin = mPoints.begin();
+        std::nth_element(begin + first, begin + middle, begin + end, less);
+        mPoints[middle].axis = axis;
+        divide(first, middle);
+        divide(middle + 1, end);
+    }
+
+    void search(std::size_t first, std::size_t end, Nearest &found) const
+    {
+        if (first >= end)
+            return;
+        const std::size_t middle = first + (end - first) / 2;
+        const auto [vertex, axis] = mPoints[middle];
+        const double squared = (at(middle) - found.place).squaredNorm();
+        if (squared < found.squared || (squared == found.squared && vertex < found.vertex)) {
+            found.squared = squared;
+            found.vertex = vertex;
+        }
+        const double beyond = found.place[axis] - mMesh.positions(vertex, axis);
+        beyond < 0 ? search(first, middle, found) : search(middle + 1, end, found);
+        if (beyond * beyond <= found.squared)
+            beyond < 0 ? search(middle + 1, end, found) : search(first, middle, found);
     }
 
     const MeshData &mMesh;
     double mRadius;
-    std::vector<std::pair<Cell, int>> mPoints;
+    std::vector<Point> mPoints;
 };
 
 using EdgeKey = std::array<int, 2>;
@@ -86,12 +116,13 @@ struct Plane
     Vec3 point, normal;
 };
 
-//! Finds the mirror image of each vertex and edge.
+//! Finds the mirror image of each vertex and edge; not of all once the job is stopped.
 class Matcher
 {
 public:
     //! \param reach of the mean edge length
-    Matcher(const MeshData &mesh, double reach) : mMesh(mesh), mGrid(mesh, radiusFor(mesh, reach))
+    Matcher(const MeshData &mesh, double reach, const JobContext &job)
+        : mMesh(mesh), mTree(mesh, radiusFor(mesh, reach)), mJob(job)
     {
         for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
             if (!mesh.edgePairs[e].diagonal)
@@ -191,10 +222,10 @@ private:
         std::vector<int> &mirror = found.mirrorVertex;
         mirror.assign(mMesh.vertexCount(), -1);
         for (int v = 0; v < mMesh.vertexCount(); ++v) {
-            if (mMesh.vertexWeld[v] != v)
+            if (mMesh.vertexWeld[v] != v || mJob.stopped())
                 continue;
             const Vec3 p = mMesh.positions.row(v);
-            mirror[v] = mGrid.nearest(p - 2 * found.normal.dot(p - found.point) * found.normal);
+            mirror[v] = mTree.nearest(p - 2 * found.normal.dot(p - found.point) * found.normal);
         }
         // Keep only vertices that are each other's mirror images.
         const std::vector<int> one = mirror;
@@ -205,7 +236,8 @@ private:
     }
 
     const MeshData &mMesh;
-    PointGrid mGrid;
+    const PointTree mTree;
+    const JobContext &mJob;
     std::map<EdgeKey, int> mEdges;
 };
 
@@ -253,16 +285,18 @@ std::optional<MeshSymmetry> bestOf(const std::vector<Plane> &planes, const Match
 
 } // namespace
 
-std::optional<MeshSymmetry> findSymmetry(const MeshData &mesh, Exactness exactness)
+std::optional<MeshSymmetry> findSymmetry(const MeshData &mesh, Exactness exactness, const JobContext &job)
 {
     if (mesh.edgePairs.empty() || !(mesh.area > 0))
         return std::nullopt;
     const std::vector<Plane> planes = candidates(mesh);
-    std::optional<MeshSymmetry> exact = bestOf(planes, Matcher(mesh, tolerance), exactShare);
+    std::optional<MeshSymmetry> exact = bestOf(planes, Matcher(mesh, tolerance, job), exactShare);
+    if (job.stopped())
+        return std::nullopt;
     if (exact || exactness == Exactness::Exact)
         return exact;
     // Nearly symmetric: the plane moves until vertices and their images fit best.
-    const Matcher wide(mesh, firstTolerance), narrow(mesh, looseTolerance);
+    const Matcher wide(mesh, firstTolerance, job), narrow(mesh, looseTolerance, job);
     std::vector<Plane> fitted;
     for (Plane plane : planes) {
         for (int step = 0; step < planeSteps; ++step) {
@@ -274,7 +308,7 @@ std::optional<MeshSymmetry> findSymmetry(const MeshData &mesh, Exactness exactne
         fitted.push_back(plane);
     }
     std::optional<MeshSymmetry> best = bestOf(fitted, narrow, leastShare);
-    return best && best->matchedArea >= leastArea ? best : std::nullopt;
+    return best && best->matchedArea >= leastArea && !job.stopped() ? best : std::nullopt;
 }
 
 double symmetricShare(const MeshData &mesh, const MeshSymmetry &symmetry, const std::vector<bool> &cut)

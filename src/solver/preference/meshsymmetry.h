@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/meshdata.h"
+#include "solver/base/jobcontext.h"
 
 #include <optional>
 #include <vector>
@@ -29,8 +30,9 @@ enum class Exactness {
 //! planes are moved to fit best, and points match within 0.6 of it: sculpts are never exact, and
 //! triangles may be split the other way on the other side. \returns the plane with the greatest share of
 //! matching edge length; nothing when less than three quarters of the area match, or less than 45 % of the
-//! edges
-std::optional<MeshSymmetry> findSymmetry(const MeshData &mesh, Exactness exactness = Exactness::Loose);
+//! edges, or when the job is stopped
+std::optional<MeshSymmetry> findSymmetry(const MeshData &mesh, Exactness exactness = Exactness::Loose,
+                                         const JobContext &job = {});
 
 //! Share of the length of the cut edges whose mirror images are cut as well; 1 without any cut.
 double symmetricShare(const MeshData &mesh, const MeshSymmetry &symmetry, const std::vector<bool> &cut);

@@ -119,7 +119,7 @@ private:
 };
 
 //! The symmetry of some faces as one of the whole mesh: -1 for other vertices.
-std::vector<int> imagesWithin(const MeshData &mesh, const std::vector<int> &faces)
+std::vector<int> imagesWithin(const MeshData &mesh, const std::vector<int> &faces, const JobContext &job)
 {
     std::vector<bool> inside(mesh.faceCount(), false);
     for (const int face : faces)
@@ -129,7 +129,7 @@ std::vector<int> imagesWithin(const MeshData &mesh, const std::vector<int> &face
     if (!(part.mesh->area > 0))
         return image;
     const std::optional<preference::MeshSymmetry> symmetry =
-        preference::findSymmetry(*part.mesh, preference::Exactness::Exact);
+        preference::findSymmetry(*part.mesh, preference::Exactness::Exact, job);
     if (!symmetry)
         return image;
     std::vector<int> whole(part.mesh->vertexCount(), -1);
@@ -150,14 +150,14 @@ std::vector<IslandMirror> mirrorsOf(const MeshData &mesh, const std::vector<Isla
 {
     const MirrorFinder finder(mesh, islands);
     const std::optional<preference::MeshSymmetry> symmetry =
-        preference::findSymmetry(mesh, preference::Exactness::Exact);
+        preference::findSymmetry(mesh, preference::Exactness::Exact, job);
     std::vector<IslandMirror> mirrors(islands.size());
     for (std::size_t i = 0; i < islands.size() && !job.stopped(); ++i) {
         const int island = static_cast<int>(i);
         if (symmetry)
             mirrors[i] = finder.mirrorOf(island, symmetry->mirrorVertex);
         if (mirrors[i].island < 0)
-            mirrors[i] = finder.mirrorOf(island, imagesWithin(mesh, finder.facesOf(island)));
+            mirrors[i] = finder.mirrorOf(island, imagesWithin(mesh, finder.facesOf(island), job));
     }
     return mirrors;
 }

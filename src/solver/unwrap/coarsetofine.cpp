@@ -20,10 +20,14 @@ namespace autocuts::unwrap {
 
 namespace {
 
-// Chosen by hand; their effect has not been measured.
+// Where no measurement is named, chosen by hand; their effect has not been measured.
 
 //! Meshes of more triangles than this are coarsened first.
 constexpr int largeMesh = 25'000;
+//! The same in drafts; just below a number to which meshes are often reduced. Measured on 23 meshes of 10,000
+//! to 24,000 triangles: against a draft of the mesh itself, seams are .92 times as long (.66 to 1.26) in .60
+//! of the CPU time.
+constexpr int largeForDrafts = 9'990;
 //! The coarse mesh has at most this share of the triangles, else coarsening is not worth the effort.
 constexpr double leastReduction = 0.6;
 //! Bounds for the coarse map, as shares of (bound - 4). The distortion of the fine map usually gets lower,
@@ -474,9 +478,11 @@ bool isLargeMesh(const MeshData &mesh)
     return mesh.triangleCount() > largeMesh;
 }
 
-bool suitsCoarseToFine(const Snapshot &snapshot)
+bool suitsCoarseToFine(const Snapshot &snapshot, UnwrapQuality quality)
 {
-    return isLargeMesh(*snapshot.mesh) && snapshot.settings.start != StartMode::ExistingUv;
+    const bool isLarge = quality == UnwrapQuality::Draft ? snapshot.mesh->triangleCount() > largeForDrafts
+                                                         : isLargeMesh(*snapshot.mesh);
+    return isLarge && snapshot.settings.start != StartMode::ExistingUv;
 }
 
 std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,

@@ -201,7 +201,7 @@ std::optional<definite::RefinedMap> refinedMapBefore(const std::shared_ptr<const
     const Snapshot problem = preference::SeamPreference().applied(part, job.threads());
     std::optional<preference::MeshSymmetry> symmetry;
     if (problem.settings.symmetry)
-        symmetry = preference::findSymmetry(*problem.mesh);
+        symmetry = preference::findSymmetry(*problem.mesh, preference::Exactness::Loose, job);
     const auto graph = search::SeamGraph::build(soup, problem, symmetry ? &*symmetry : nullptr);
     const std::optional<search::CutState> state = steeredMapBefore(graph, problem, job);
     if (!state)

@@ -71,7 +71,7 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
                                      const UnwrapOptions &options, const JobContext &job,
                                      const PrepareMap &prepare)
 {
-    if (!suitsCoarseToFine(snapshot))
+    if (!suitsCoarseToFine(snapshot, options.quality))
         return std::nullopt;
     const auto prepareCarried = [&](MakeCarriedMap make) {
         prepare([=, make = std::move(make)](const JobContext &own) -> std::optional<Candidate> {
@@ -148,7 +148,7 @@ std::optional<FoundMap> findOneOfEachKind(const std::shared_ptr<const Soup> &sou
                 return made ? whole(std::move(*made), context) : std::nullopt;
             });
         };
-        if (!suitsCoarseToFine(parts->snapshot()))
+        if (!suitsCoarseToFine(parts->snapshot(), own.quality))
             ranking.setWatcher(
                 [&](const Candidate &best) { prepareWhole([best](const JobContext &) { return best; }); });
     }
@@ -236,13 +236,13 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     }
     const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
     Snapshot snapshot = given;
-    if (suitsCoarseToFine(snapshot)) {
+    if (suitsCoarseToFine(snapshot, options.quality)) {
         // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
         snapshot.settings = preference::decidedForAll(snapshot.settings, snapshot.mesh);
     }
     std::optional<preference::MeshSymmetry> symmetry;
     if (snapshot.settings.symmetry)
-        symmetry = preference::findSymmetry(*snapshot.mesh);
+        symmetry = preference::findSymmetry(*snapshot.mesh, preference::Exactness::Loose, job);
     // Not for symmetric cuts: the coarse mesh would not be symmetric.
     if (!symmetry) {
         if (!options.lambda) {

@@ -279,7 +279,7 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &asked, const
     Ranking ranking(searched, job);
     const ResultMaker maker(snapshot, *part, plan, options);
     std::optional<ReadyResult> ready;
-    const bool isLarge = suitsCoarseToFine(problem);
+    const bool isLarge = suitsCoarseToFine(problem, options.quality);
     if (isLarge || options.better) {
         ready.emplace(
             ranking,
