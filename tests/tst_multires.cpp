@@ -364,6 +364,11 @@ private Q_SLOTS:
         snapshot.mesh = test::grid(75); // 11,250 triangles
         QVERIFY(suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
         QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Standard));
+        // The flat faces of hard surface would bend.
+        snapshot.settings.surface = SurfaceKind::HardSurface;
+        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
+        snapshot.settings.surface = SurfaceKind::Organic;
+        QVERIFY(suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
         snapshot.settings.start = StartMode::ExistingUv;
         QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
     }

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -292,6 +293,14 @@ private Q_SLOTS:
               static_cast<long long>(before), static_cast<long long>(after.overlapPairs), seamBefore,
               after.seamNorm);
         QVERIFY(double(after.overlapPairs) <= left * double(before));
+        UvMatrix alone = document.uv(); // what was dragged does not cover itself
+        for (int face = 0; face < document.mesh().faceCount(); ++face) {
+            if (document.selection().faces.contains(face))
+                continue;
+            for (int c = document.mesh().faceStart[face]; c < document.mesh().faceStart[face + 1]; ++c)
+                alone.row(c).setConstant(std::numeric_limits<double>::quiet_NaN());
+        }
+        QCOMPARE(measureUv(document.mesh(), alone).overlapPairs, 0);
         QCOMPARE(after.flipped, 0);
         document.undoStack().undo();
         QCOMPARE(overlaps(), before);

@@ -140,8 +140,8 @@ private:
     std::shared_ptr<const Environment> mEnvironment; //!< in graphics memory
     Pattern mPictured = Pattern::None;               //!< of the pictures that are wanted
     Pattern mUploaded = Pattern::None;               //!< of those that were uploaded last
-    QTimer mWorkSoon;
-    QTimer mUploadSoon;               //!< goes on with the upload of pictures
+    QTimer mWorkSoon;                                //!< takes the next turn
+    QTimer mUploadSoon;                              //!< goes on with the upload of pictures
     std::unique_ptr<GlResources> mGl; //!< null before the first paint, and when OpenGL is not available
     QString mGlError;                 //!< why OpenGL is not available
     QMetaObject::Connection mContextGone;
