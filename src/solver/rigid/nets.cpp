@@ -20,6 +20,9 @@ constexpr double overlapShare = 1e-10, touchingShare = 1e-5;
 //! Energy of a triangle above that of an isometry, where its region is laid in the plane, from which it does
 //! not keep its shape.
 constexpr double mostExcess = 0.1;
+//! Mean energy of a chart above that of an isometry up to which it joins nets. Chosen by hand: .02 and .3
+//! make little difference.
+constexpr double nearlyIsometric = 0.1;
 constexpr double noise = 0.5; // of the costs, natural logarithm; chosen by hand
 
 //! Which side of an edge belongs to the first region of a hinge.
@@ -65,7 +68,7 @@ public:
             for (int k = 0; k < 3; ++k)
                 moved.push_back(motion(cornerAt(mX, 3 * t + k)));
         }
-        if (overlap(mTriangles[a], mTriangles[b], moved))
+        if (flips(moved) || overlap(mTriangles[a], mTriangles[b], moved))
             return;
         for (std::size_t i = 0; i < moved.size(); ++i)
             cornerAt(mX, 3 * mTriangles[b][i / 3] + static_cast<int>(i % 3)) = moved[i];
@@ -96,6 +99,16 @@ public:
 
 private:
     int netAt(const EdgePair &pair, int side) { return mGroups.find(mNet[pair.triangle[side]]); }
+
+    //! True when rounding flips a thin triangle where it comes to lie.
+    static bool flips(const std::vector<Vec2> &corners)
+    {
+        for (std::size_t c = 0; c < corners.size(); c += 3) {
+            if (!(cross2(corners[c], corners[c + 1], corners[c + 2]) > 0))
+                return true;
+        }
+        return false;
+    }
 
     //! True when triangles of two nets overlap. \param moved the corners of the second net's triangles
     bool overlap(const std::vector<int> &fixed, const std::vector<int> &moving,
@@ -181,13 +194,83 @@ Nets::Nets(std::shared_ptr<const Soup> soup, const Snapshot &snapshot)
         if (states[p] == PairState::Cut)
             mAlwaysCut[p / 2] = true;
     }
-    mHinges = findHinges(*mSoup, *mRegions, mUnrolled, mAlwaysCut);
+    const std::vector<bool> overlap = overlapThemselves();
+    for (int r = 0; r < mRegions->count; ++r)
+        mUnrolled.works[r] = mUnrolled.works[r] && !overlap[r];
+    findHinges(snapshot);
+}
+
+void Nets::findHinges(const Snapshot &snapshot)
+{
+    mHinges = rigid::findHinges(*mSoup, *mRegions, mUnrolled, mAlwaysCut);
+    mCost.clear();
     for (const Hinge &hinge : mHinges) {
         double cost = 0;
         for (const int e : hinge.edges)
             cost += snapshot.edgeWeight(e) * mSoup->pairLength[2 * static_cast<std::size_t>(e)];
         mCost.push_back(cost);
     }
+}
+
+std::vector<bool> Nets::overlapThemselves() const
+{
+    std::vector<int> region;
+    std::vector<Vec2> corners;
+    for (int t = 0; t < mSoup->triangleCount(); ++t) {
+        const int r = mRegions->region[t];
+        if (r < 0 || !mUnrolled.works[r])
+            continue;
+        region.push_back(r);
+        for (int k = 0; k < 3; ++k)
+            corners.push_back(cornerAt(mUnrolled.x, 3 * t + k));
+    }
+    UvMatrix uv(corners.size(), 2);
+    for (std::size_t c = 0; c < corners.size(); ++c)
+        uv.row(c) = corners[c].transpose();
+    overlap::OverlapOptions options;
+    options.totalArea = std::numbers::pi;
+    options.minAreaRatio = overlapShare;
+    std::vector<bool> overlap(mRegions->count, false);
+    overlap::visitOverlapsWithin(uv, region, options, [&](int a, int, double) {
+        overlap[region[a]] = true;
+        return true;
+    });
+    return overlap;
+}
+
+Nets Nets::withCharts(const SeamedMap &map, const Snapshot &snapshot) const
+{
+    const MeshData &mesh = *mSoup->mesh;
+    Nets nets = *this;
+    RigidRegions regions = *mRegions;
+    const CutMesh state(mesh, map.cut);
+    std::vector<int> regionOf(state.chartCount, -1);
+    std::vector<double> excess(mRegions->count, 0), area(mRegions->count, 0); // per region
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        if (mRegions->region[t] >= 0)
+            continue;
+        int &r = regionOf[state.chart[t]];
+        if (r < 0) {
+            r = regions.count++;
+            excess.push_back(0);
+            area.push_back(0);
+        }
+        regions.region[t] = r;
+        excess[r] += mSoup->weight[t] * excessOf(*mSoup, map.x, t);
+        area[r] += mSoup->weight[t];
+        for (int c = 3 * t; c < 3 * t + 3; ++c)
+            cornerAt(nets.mUnrolled.x, c) = cornerAt(map.x, c);
+    }
+    for (int r = mRegions->count; r < regions.count; ++r)
+        nets.mUnrolled.works.push_back(excess[r] <= nearlyIsometric * area[r]);
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const auto [a, b] = mesh.edgePairs[e].triangle;
+        if (mRegions->region[a] < 0 && mRegions->region[b] < 0)
+            nets.mUnrolled.cut[e] = map.cut[e];
+    }
+    nets.mRegions = std::make_shared<const RigidRegions>(std::move(regions));
+    nets.findHinges(snapshot);
+    return nets;
 }
 
 SeamedMap Nets::joined(int number, SeamedMap map, const JobContext &job) const

@@ -24,6 +24,11 @@ public:
     //! overlap others; as it was when stopped
     SeamedMap joined(int number, SeamedMap map, const JobContext &job = {}) const;
 
+    //! The same with the charts of the rest of a map as further regions. Those that are nearly isometric join
+    //! along hinges, too. Regions that overlap themselves in the plane stay as they are in the map. \param
+    //! map as for joined()
+    Nets withCharts(const SeamedMap &map, const Snapshot &snapshot) const;
+
     //! Per triangle: true in regions, but for thin triangles, which are in any shape where a region is flat.
     std::vector<bool> keepsShape() const;
     //! The soup in which the triangles that keep their shape are to have the one that they have where their
@@ -36,6 +41,9 @@ public:
                      const JobContext &job = {}) const;
 
 private:
+    void findHinges(const Snapshot &snapshot);
+    std::vector<bool> overlapThemselves() const;
+
     std::shared_ptr<const Soup> mSoup;
     std::shared_ptr<const RigidRegions> mRegions;
     Unrolled mUnrolled;

@@ -184,22 +184,6 @@ private:
         }
     }
 
-    double excessOf(int t) const
-    {
-        const double *p = &mResult.x[6 * static_cast<std::size_t>(t)];
-        const Soup::Basis &b = mSoup.basis[t];
-        double squares = 0;
-        for (int row = 0; row < 2; ++row) {
-            for (int column = 0; column < 2; ++column) {
-                const double entry =
-                    p[row] * b[column] + p[2 + row] * b[2 + column] + p[4 + row] * b[4 + column];
-                squares += entry * entry;
-            }
-        }
-        const double det = jacobianDeterminant(mSoup, mResult.x.data(), t);
-        return squares + squares / (det * det) - 4;
-    }
-
     void findStretchedRegions()
     {
         mResult.excess.assign(mMesh.triangleCount(), 0);
@@ -208,7 +192,7 @@ private:
             const int r = mRegions.region[t];
             if (r < 0 || !mResult.works[r] || mMesh.triangleDegenerate[t])
                 continue;
-            mResult.excess[t] = excessOf(t);
+            mResult.excess[t] = excessOf(mSoup, mResult.x, t);
             excess[r] += mSoup.weight[t] * std::min(mResult.excess[t], mostOfThin);
             area[r] += mSoup.weight[t];
         }
@@ -277,6 +261,21 @@ void weld(const CutMesh &state, std::vector<double> &x)
     }
     for (int c = 0; c < corners; ++c)
         cornerAt(x, c) = sum[state.uvVertex[c]] / count[state.uvVertex[c]];
+}
+
+double excessOf(const Soup &soup, const std::vector<double> &x, int t)
+{
+    const double *p = &x[6 * static_cast<std::size_t>(t)];
+    const Soup::Basis &b = soup.basis[t];
+    double squares = 0;
+    for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 2; ++column) {
+            const double entry = p[row] * b[column] + p[2 + row] * b[2 + column] + p[4 + row] * b[4 + column];
+            squares += entry * entry;
+        }
+    }
+    const double det = jacobianDeterminant(soup, x.data(), t);
+    return squares + squares / (det * det) - 4;
 }
 
 Unrolled unroll(const Soup &soup, const RigidRegions &regions, const std::vector<double> &weight)

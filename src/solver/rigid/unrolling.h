@@ -30,6 +30,9 @@ struct Unrolled
 [[nodiscard]] Unrolled unroll(const Soup &soup, const RigidRegions &regions,
                               const std::vector<double> &weight = {});
 
+//! The symmetric Dirichlet energy of a triangle above that of an isometry. \param x coordinates, see Soup
+[[nodiscard]] double excessOf(const Soup &soup, const std::vector<double> &x, int t);
+
 //! Gives the corners of each UV vertex their mean. \param x coordinates, see Soup
 void weld(const CutMesh &state, std::vector<double> &x);
 

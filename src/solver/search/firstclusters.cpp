@@ -55,7 +55,7 @@ bool isUsable(const CutState &state, const OptimizeOptions &options)
 } // namespace
 
 std::optional<CutState> firstClusters(const std::shared_ptr<const SeamGraph> &graph,
-                                      const OptimizeOptions &options)
+                                      const OptimizeOptions &options, const RigidRegions *whole)
 {
     SeedOptions seed;
     seed.paths = 0;
@@ -74,7 +74,7 @@ std::optional<CutState> firstClusters(const std::shared_ptr<const SeamGraph> &gr
             return std::nullopt;
         bool divides = false;
         for (int t = 0; t < graph->triangleCount(); ++t) {
-            if (!(excess[state.chart[t]] <= badChart)) {
+            if (!(excess[state.chart[t]] <= badChart) && !(whole && whole->region[t] >= 0)) {
                 seed.mostSpread[t] /= narrower;
                 divides = true;
             }

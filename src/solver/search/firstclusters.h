@@ -9,8 +9,10 @@
 namespace autocuts::search {
 
 //! A map of clusters, see clusterSeams(): those that are badly distorted, or have no map at all, are divided
-//! further. \returns nothing when that needs many charts that are too small, or when the job was stopped
+//! further. \param whole regions that are not divided; null: none \returns nothing when that needs many
+//! charts that are too small, or when the job was stopped
 [[nodiscard]] std::optional<CutState> firstClusters(const std::shared_ptr<const SeamGraph> &graph,
-                                                    const OptimizeOptions &options);
+                                                    const OptimizeOptions &options,
+                                                    const RigidRegions *whole = nullptr);
 
 } // namespace autocuts::search

@@ -105,6 +105,13 @@ std::optional<Candidate> bySoupChains(const Snapshot &snapshot, const UnwrapOpti
     }
 }
 
+//! The maps that the seam search starts from.
+enum class FirstMaps {
+    Usual,
+    Clusters,   //!< one of clusters, see search::firstClusters()
+    ClusterNets //!< one of clusters and rigid regions, see startFromClusterNets()
+};
+
 //! Finds the best map of one unwrap, by the seam search and by the soup.
 class MapSearch
 {
@@ -144,8 +151,8 @@ private:
             best = bySearch({}, symmetry);
         if (mJob.stopped() || (best && isWithinBound(*best)))
             return best;
-        if (suitsClusters()) {
-            best = bySearch({}, nullptr, true);
+        if (suitsClusters() || suitsClusterNets()) {
+            best = bySearch({}, nullptr, isPartlyRigid() ? FirstMaps::ClusterNets : FirstMaps::Clusters);
             if (mJob.stopped() || (best && isWithinBound(*best)))
                 return best;
         }
@@ -175,26 +182,38 @@ private:
     //! Standard has not been measured.
     bool suitsClusters() const
     {
+        return isFreeDraft() && !isPartlyRigid() && mSnapshot.mesh->triangleCount() > fullEffortTriangles &&
+               !isTangled(*mSnapshot.mesh) &&
+               hasPartWithMore(manyBorders - 1, manyHandles - 1, *mSnapshot.mesh);
+    }
+
+    //! True when a draft starts from clusters and rigid regions.
+    bool suitsClusterNets() const
+    {
+        return isFreeDraft() && isPartlyRigid() && startsFromSoup(mSnapshot, UnwrapQuality::Standard);
+    }
+
+    bool isFreeDraft() const
+    {
         return mOptions.quality == UnwrapQuality::Draft && !mOptions.lambda &&
-               mSnapshot.mesh->triangleCount() > fullEffortTriangles &&
                mSnapshot.settings.start != StartMode::ExistingUv && !mBefore && !mSnapshot.placesIslands() &&
-               !hasDecidedEdges() && !isTangled(*mSnapshot.mesh) &&
-               hasPartWithMore(manyBorders - 1, manyHandles - 1, *mSnapshot.mesh) && !isPartlyRigid();
+               !hasDecidedEdges();
     }
 
     //! The best map of the seam search. \param other a further map to start from
-    //! \param clusters start from clusters alone
     std::optional<Candidate> bySearch(const std::optional<Candidate> &other,
-                                      const preference::MeshSymmetry *symmetry, bool clusters = false)
+                                      const preference::MeshSymmetry *symmetry,
+                                      FirstMaps first = FirstMaps::Usual)
     {
         search::OptimizeOptions search;
         search.maxDistortion = mOptions.maxDistortion;
         if (mOptions.lambda)
             search.mu = muOf(*mOptions.lambda);
         search.allowOverlaps = mOptions.allowOverlaps;
-        search.clusters = clusters;
-        search.effort =
-            clusters ? clusterEffort : effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
+        search.clusters = first == FirstMaps::Clusters;
+        search.effort = first == FirstMaps::Usual
+                            ? effortFor(mOptions.quality, mSnapshot.mesh->triangleCount())
+                            : clusterEffort;
         search.seed = mSnapshot.settings.seed;
         search.job = mJob;
         const bool steers = !symmetry && hasDecidedEdges();
@@ -216,7 +235,9 @@ private:
             search.effort.seeds = 0; // few cuts do not lay such a surface flat
         if (mBefore)
             search.given.push_back(mBefore->map());
-        if (!symmetry && !clusters)
+        if (first == FirstMaps::ClusterNets && !startFromClusterNets(mGraph, mSnapshot, search))
+            return std::nullopt;
+        if (!symmetry && first == FirstMaps::Usual)
             addNetStarts(mGraph, mSnapshot, mJob.quiet(), search);
         search.improved = [&](const search::CutState &state) {
             mRanking.offer(measuresOf(state), [&] { return state.map(); });

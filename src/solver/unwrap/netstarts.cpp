@@ -1,6 +1,7 @@
 #include "solver/unwrap/netstarts.h"
 
 #include "solver/rigid/nets.h"
+#include "solver/search/firstclusters.h"
 #include "solver/search/seamseeds.h"
 #include "solver/search/tutte.h"
 
@@ -64,6 +65,22 @@ std::vector<SeamedMap> netStarts(const std::shared_ptr<const search::SeamGraph> 
 bool startsFromNets(const Snapshot &snapshot)
 {
     return snapshot.rigid && snapshot.rigid->share >= mostlyRigid;
+}
+
+bool startFromClusterNets(const std::shared_ptr<const search::SeamGraph> &graph, const Snapshot &snapshot,
+                          search::OptimizeOptions &search)
+{
+    const std::optional<search::CutState> clusters =
+        search::firstClusters(separated(*graph, snapshot), search, snapshot.rigid.get());
+    if (!clusters)
+        return false;
+    SeamedMap map = clusters->map();
+    map = rigid::Nets(graph->soup, snapshot).withCharts(map, snapshot).joined(0, map, search.job);
+    if (search.job.stopped() || !map.validate(*graph->soup).empty())
+        return false;
+    search.given = {std::move(map)};
+    search.effort.seeds = 0;
+    return true;
 }
 
 void addNetStarts(const std::shared_ptr<const search::SeamGraph> &graph, const Snapshot &snapshot,
