@@ -55,7 +55,7 @@ public:
         forbidDisobeying(part);
     }
 
-    //! \returns false when there is no room
+    //! \returns false when there is no room, or islands that pins hold cover what would be as before
     bool run(NewCharts &map, const JobContext &job)
     {
         map = mMade;
@@ -67,7 +67,7 @@ public:
             if (job.stopped())
                 return false;
             if (!isAny(misplaced) || packAround(mMesh, map.charts, pack, misplaced, map.uv, job))
-                return true;
+                return !coversReturned(map.uv);
             if (!returnGroupsOf(misplaced))
                 return false;
             mixMaps(map);
@@ -149,6 +149,18 @@ private:
             if (closedCut || openJoin)
                 forbid(mMesh.triangleFace[mMesh.edgePairs[edge].triangle[0]]);
         }
+    }
+
+    //! True when a new island covers one that is as before: it is held by pins, so that packing leaves it.
+    bool coversReturned(const UvMatrix &uv) const
+    {
+        const auto stackOf = [this](int face) {
+            return mPack.faceFlags.empty() ? 0 : mPack.faceFlags[face].stack;
+        };
+        return isAny(mReturned) && !overlap::visitOverlaps(soupUv(mMesh, uv), {}, [&](int a, int b, double) {
+                   const int f = mMesh.triangleFace[a], g = mMesh.triangleFace[b];
+                   return isReturned(f) == isReturned(g) || (stackOf(f) != 0 && stackOf(f) == stackOf(g));
+               });
     }
 
     //! Lets the groups of some faces be as before. \returns false when none may
