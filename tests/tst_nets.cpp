@@ -4,7 +4,6 @@
 #include "solver/rigid/nets.h"
 #include "solver/search/tutte.h"
 #include "solver/unwrap/netstarts.h"
-#include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 #include "support/objpolygons.h"
 #include "support/props.h"

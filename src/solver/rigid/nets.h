@@ -10,7 +10,9 @@
 
 namespace autocuts::rigid {
 
-//! The rigid regions of a problem, in the plane, with the hinges between them. Immutable.
+//! The rigid regions of a problem, in the plane, with the hinges between them. Regions that overlap
+//! themselves in the plane count as if they did not work, see Unrolled: maps keep them as they are.
+//! Immutable.
 class Nets
 {
 public:
@@ -25,8 +27,7 @@ public:
     SeamedMap joined(int number, SeamedMap map, const JobContext &job = {}) const;
 
     //! The same with the charts of the rest of a map as further regions. Those that are nearly isometric join
-    //! along hinges, too. Regions that overlap themselves in the plane stay as they are in the map. \param
-    //! map as for joined()
+    //! along hinges, too. \param map as for joined()
     Nets withCharts(const SeamedMap &map, const Snapshot &snapshot) const;
 
     //! Per triangle: true in regions, but for thin triangles, which are in any shape where a region is flat.
