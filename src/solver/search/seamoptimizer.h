@@ -13,6 +13,11 @@ struct OptimizedMap
     int anchorFaults = 0; //!< see CutState
 };
 
+//! The map with no other cuts than the user's, relaxed; nothing when a chart is closed or the map misses the
+//! bound.
+[[nodiscard]] std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &graph,
+                                                  const OptimizeOptions &options);
+
 //! First cuts and their map. \param number every number gives other cuts
 //! \returns nothing when all tries have flipped triangles, or overlaps that are not allowed
 [[nodiscard]] std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,

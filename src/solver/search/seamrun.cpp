@@ -76,7 +76,7 @@ bool SeamRun::fits(const CutState &state) const
     return mOptions.mu || state.distortion <= bound();
 }
 
-void SeamRun::start()
+void SeamRun::relax()
 {
     // What lies on its pins already must not be pulled off them.
     if (mState.anchored)
@@ -92,6 +92,10 @@ void SeamRun::start()
         if (gained < startTolerance || mSearch.stopped())
             break;
     }
+}
+
+void SeamRun::start()
+{
     mSearch.anchor();
     const bool hadMany = hasManySmallCharts();
     if (!hadMany)

@@ -70,7 +70,9 @@ public:
     //! \param options must outlive the run
     SeamRun(const OptimizeOptions &options, CutState state, std::uint64_t seed);
 
-    //! Relaxes the first map, joins small charts and polishes the seams.
+    //! Relaxes the first map.
+    void relax();
+    //! Joins small charts and polishes the seams. \pre relax()
     void start();
     //! Tries large moves while the heat falls to zero.
     //! \param heat at the start: the mean worsening that a large move is allowed, in mean edge lengths of
