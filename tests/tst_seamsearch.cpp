@@ -9,6 +9,7 @@
 #include "solver/search/trianglekernel.h"
 #include "solver/search/tutte.h"
 #include "support/meshbuilders.h"
+#include "support/props.h"
 
 #include <Eigen/Dense>
 
@@ -335,6 +336,63 @@ private Q_SLOTS:
         QVERIFY(optimizeSeams(graphOf(snapshot), options).has_value());
         QCOMPARE(announced, 4 * 10 + 3 * 20 + 2 * 30);
         QCOMPARE(done, announced);
+    }
+
+    //! The second map has every edge for a seam. Its search would take steps, and change nothing.
+    void hopelessFirstMapsAreNotSearched()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::sphere(30, 60);
+        const auto graph = graphOf(snapshot);
+        OptimizeOptions options;
+        options.effort = {0, {{5, 2}, {5, 1}}, 0};
+        const std::optional<CutState> good = firstMap(graph, littleEffort(), 0);
+        QVERIFY(good.has_value());
+        options.given = {good->map()};
+        const auto alone = optimizeSeams(graph, options);
+        SeamedMap apart;
+        apart.cut.assign(snapshot.mesh->edgePairs.size(), true);
+        apart.x = tutteEmbedding(*graph->soup, CutMesh(*snapshot.mesh, apart.cut));
+        options.given.push_back(apart);
+        int done = 0;
+        options.progress = [&](int steps) { done += steps; };
+        const auto both = optimizeSeams(graph, options);
+        QVERIFY(alone && both);
+        QCOMPARE(both->iterations, alone->iterations);
+        QVERIFY(both->map.x == alone->map.x);
+        QCOMPARE(done, 2 * 5 + 5);
+    }
+
+    //! A comb in the plane: its first map squeezes the ends of the teeth, so that ten steps are too few.
+    void flatSheetsNeedNoSeams()
+    {
+        test::props::Model comb;
+        constexpr int teeth = 4, length = 20;
+        const auto point = [&](int x, int y) {
+            comb.points.emplace_back(x, y, 0);
+            return static_cast<int>(comb.points.size()) - 1;
+        };
+        std::vector<int> spine; // y = 0 and 1
+        for (int x = 0; x <= 2 * teeth; ++x) {
+            spine.push_back(point(x, 0));
+            spine.push_back(point(x, 1));
+        }
+        for (int x = 0; x < 2 * teeth; ++x)
+            comb.faces.push_back({spine[2 * x], spine[2 * x + 2], spine[2 * x + 3], spine[2 * x + 1]});
+        for (int tooth = 0; tooth < teeth; ++tooth) {
+            int left = spine[4 * tooth + 1], right = spine[4 * tooth + 3];
+            for (int y = 2; y < length; ++y) {
+                const int nextLeft = point(2 * tooth, y), nextRight = point(2 * tooth + 1, y);
+                comb.faces.push_back({left, right, nextRight, nextLeft});
+                left = nextLeft;
+                right = nextRight;
+            }
+        }
+        Snapshot snapshot;
+        snapshot.mesh = comb.mesh();
+        const auto flat = flatMap(graphOf(snapshot), littleEffort());
+        QVERIFY(flat.has_value());
+        QCOMPARE(flat->map.seamLength(*Soup::build(snapshot.mesh)), 0.0);
     }
 
     void theSameOnAnyNumberOfThreads()

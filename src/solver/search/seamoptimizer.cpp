@@ -237,6 +237,9 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
     // The cost of maps on pins is only known when they lie there.
     if (graph->anchors.empty())
         dropHopeless(runs);
+    if (options.progress)
+        options.progress(static_cast<int>(std::count(runs.begin(), runs.end(), nullptr)) *
+                         effort.rounds.front().moves);
     for (std::size_t round = 0; round < effort.rounds.size(); ++round) {
         if (round > 0)
             keepMostPromising(runs, effort.rounds[round - 1].survivors, retired);
