@@ -16,11 +16,11 @@ namespace {
 //! of that ratio. Chosen by hand; no measurement of its effect is recorded.
 constexpr double visibilityRange = 3;
 
-//! What a seam inside of a flat region costs more: nobody tears a flat face. Measured in standard: with 1.5
-//! the faces of plate stay whole, seams inside of those of truck are a quarter as long, and gear has shorter
-//! seams, too. With 1.35 truck keeps longer seams, with 2.5 gear does.
+//! Factor on the cost of a seam inside of a flat region: nobody tears a flat face. Measured in standard:
+//! with 1.5 the faces of plate stay whole, seams inside of those of truck are a quarter as long, and gear has
+//! shorter seams, too. With 1.35 truck keeps longer seams, with 2.5 gear does.
 constexpr double tearFactor = 1.5;
-constexpr double flatAngle = 0.0175; // one degree: as in rigid regions, with some room for rounding
+constexpr double flatAngle = 0.0175; // one degree, twice what rigid regions allow: room for rounding
 
 //! Share of the area from which a mesh that is judged as a whole is like these parts. Chosen by hand.
 constexpr double mostOfIt = 0.5;

@@ -21,7 +21,7 @@ constexpr double leastShrinkage = 0.7, mostShrinkage = 5;
 //! The map without cuts is given up when its energy is this far above the bound after twenty Newton steps.
 //! (That of alligator, which is flat, is at 204 after ten and at 4 after twenty.)
 constexpr double hopelessExcess = 1;
-constexpr int hopelessTens = 2;
+constexpr int tensOfSteps = 2;
 //! Other first cuts that are tried in place of one whose map folds or overlaps; a long limb may do so for
 //! single seeds.
 constexpr int firstTries = 3;
@@ -183,7 +183,7 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
     SeamTrial trial(*state);
     for (int i = 1; i <= SeamRun::firstRelaxation / 10; ++i) {
         const double gained = trial.relaxAll(10, !options.allowOverlaps, options.job.quiet());
-        if (i >= hopelessTens && state->distortion > options.maxDistortion + hopelessExcess)
+        if (i >= tensOfSteps && state->distortion > options.maxDistortion + hopelessExcess)
             return std::nullopt;
         if (gained < 1e-6 || options.job.stopped())
             break;
