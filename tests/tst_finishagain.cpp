@@ -78,6 +78,7 @@ private Q_SLOTS:
         QTest::addColumn<bool>("better");
         QTest::newRow("bent a little more, and cheaper") << 4.13 << 1.9 << true;
         QTest::newRow("bent a little more, at the same price") << 4.13 << 2.0 << false;
+        QTest::newRow("hardly cheaper") << 4.09 << 1.995 << false;
         QTest::newRow("visibly bent, and cheaper") << 4.3 << 1.9 << false;
         QTest::newRow("bent less, and cheaper") << 4.02 << 1.9 << true;
         QTest::newRow("bent a little less, and dearer") << 4.05 << 2.1 << false;

@@ -21,6 +21,9 @@ constexpr double sameFlatness = 0.01, unseenBend = 0.1;
 //! The gain in mean distortion that counts: what an edit changes near it is little of the whole. Chosen by
 //! hand.
 constexpr double leastGain = 1e-5;
+//! Share of what the seams cost that other seams have to save, or a whole layout changes for seams that nobody
+//! sees to be shorter. Chosen by hand.
+constexpr double leastSaving = 0.003;
 //! The pull of soft pins that counts as less: by a share of the whole, and by a pin of weight 1 that comes
 //! nearer than this to its place, solver units. Chosen by hand.
 constexpr double lessPull = 0.01, seenDistance = 1e-3;
@@ -138,9 +141,9 @@ bool beats(Candidate map, Candidate standing, double maxDistortion)
     options.maxDistortion = maxDistortion;
     const JobContext job;
     const Ranking ranking(options, job);
-    if (ranking.better(map, standing))
-        return true;
-    return !ranking.better(standing, map) && map.bounded < standing.bounded - leastGain;
+    const bool stretchesLess = !ranking.better(standing, map) && map.bounded < standing.bounded - leastGain;
+    map.seamCost += leastSaving * standing.seamCost;
+    return stretchesLess || ranking.better(map, standing);
 }
 
 bool beats(const SeamedMap &map, const Soup &soup, const Snapshot &problem, const Candidate &standing,

@@ -44,7 +44,8 @@ struct StandingMap
 standingMap(const Snapshot &snapshot, const FreePart &part, const std::shared_ptr<const Soup> &soup,
             const Snapshot &problem, const packing::PackOptions &packing, const JobContext &job = {});
 
-//! True when a map is better: it has cheaper seams within the bound, or the same and less distortion.
+//! True when a map is better: within the bound it has noticeably cheaper seams, or seams that are not dearer
+//! and less distortion.
 [[nodiscard]] bool beats(Candidate map, Candidate standing, double maxDistortion);
 //! \param problem with the seam preferences in its weights
 [[nodiscard]] bool beats(const SeamedMap &map, const Soup &soup, const Snapshot &problem,
