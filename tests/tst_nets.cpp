@@ -4,6 +4,7 @@
 #include "solver/rigid/nets.h"
 #include "solver/search/tutte.h"
 #include "solver/unwrap/netstarts.h"
+#include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 #include "support/objpolygons.h"
 #include "support/props.h"
@@ -127,6 +128,30 @@ private Q_SLOTS:
         }
         QCOMPARE(ofBox.size(), std::size_t(1));
         QVERIFY(map.distortion(*graph->soup) < 5);
+    }
+
+    //! Of the plate with holes, standard finds nothing as good as the map of a draft from another start.
+    void moreEffortIsNotDearer()
+    {
+        const std::string folder = test::meshFolder();
+        if (folder.empty())
+            QSKIP(test::noMeshes);
+        Snapshot snapshot;
+        snapshot.mesh = test::readObjPolygons(folder + "/props/plate.obj");
+        const Snapshot preferred = preference::SeamPreference().applied(snapshot);
+        QVERIFY(preferred.rigid);
+        const auto soup = Soup::build(snapshot.mesh);
+        const auto cost = [&](unwrap::UnwrapQuality quality) {
+            unwrap::UnwrapOptions options;
+            options.quality = quality;
+            options.pack = false;
+            SeamedMap map;
+            map.cut = unwrap::unwrapMesh(snapshot, options, {nullptr, 2}).cut;
+            return map.seamCost(*soup, preferred);
+        };
+        const double draft = cost(unwrap::UnwrapQuality::Draft);
+        const double standard = cost(unwrap::UnwrapQuality::Standard);
+        QVERIFY2(standard < draft + 1e-9, qPrintable(QStringLiteral("%1 %2").arg(standard).arg(draft)));
     }
 
     //! Charts beside the regions that are nearly isometric join them.

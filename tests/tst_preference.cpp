@@ -227,6 +227,43 @@ private Q_SLOTS:
         QVERIFY(preference.applied(snapshot).steering == snapshot.steering);
     }
 
+    //! Only inside of flat faces: not at their borders, nor on a side that unrolls, nor where faces are free.
+    void tearingAFlatFaceCostsMore()
+    {
+        test::props::Model model;
+        model.add(test::props::column(32, 1, 1, 3, 4));
+        const int side = static_cast<int>(model.faces.size());
+        for (int x = 0; x <= 3; ++x) {
+            for (int y = 0; y <= 3; ++y)
+                model.points.emplace_back(5 + x, y, 0);
+        }
+        const int first = static_cast<int>(model.points.size()) - 16;
+        for (int x = 0; x < 3; ++x) {
+            for (int y = 0; y < 3; ++y) {
+                const int low = first + 4 * x + y;
+                model.faces.push_back({low, low + 4, low + 5, low + 1});
+            }
+        }
+        Snapshot snapshot;
+        snapshot.mesh = model.mesh();
+        snapshot.settings.creases = CreaseMode::Off;
+        const Snapshot preferred = SeamPreference().applied(snapshot);
+        QVERIFY(preferred.rigid);
+        int torn = 0;
+        for (std::size_t e = 0; e < snapshot.mesh->edgePairs.size(); ++e) {
+            const EdgePair &pair = snapshot.mesh->edgePairs[e];
+            const bool inSheet = snapshot.mesh->triangleFace[pair.triangle[0]] >= side && !pair.diagonal;
+            torn += inSheet;
+            if (inSheet)
+                QCOMPARE(preferred.edgeWeight(e), 1.5);
+            else if (!pair.diagonal && std::abs(dihedralAngles(*snapshot.mesh)[e]) > 0.1)
+                QCOMPARE(preferred.edgeWeight(e), 1.0);
+        }
+        QCOMPARE(torn, 12);
+        snapshot.settings.flat = FlatMode::Free;
+        QVERIFY(SeamPreference().applied(snapshot).steering->pairWeight.empty());
+    }
+
     void cutsFollowTheCubesEdges()
     {
         const MeshPtr mesh = sample("bumpycube");

@@ -16,6 +16,12 @@ namespace {
 //! of that ratio. Chosen by hand; no measurement of its effect is recorded.
 constexpr double visibilityRange = 3;
 
+//! Factor on the cost of a seam inside of a flat region: nobody tears a flat face. Measured in standard:
+//! with 1.5 the faces of plate stay whole, seams inside of those of truck are a quarter as long, and gear has
+//! shorter seams, too. With 1.35 truck keeps longer seams, with 2.5 gear does.
+constexpr double tearFactor = 1.5;
+constexpr double flatAngle = 0.0175; // one degree, twice what rigid regions allow: room for rounding
+
 //! Share of the area from which a mesh that is judged as a whole is like these parts. Chosen by hand.
 constexpr double mostOfIt = 0.5;
 
@@ -50,6 +56,20 @@ void normalize(const MeshData &mesh, std::vector<double> &factors)
     }
     for (std::size_t e = 0; e < factors.size(); ++e)
         factors[e] = most > 0 && !mesh.edgePairs[e].diagonal ? factors[e] / most : 1;
+}
+
+//! The edges between coplanar triangles of one region: also within regions that unroll, at whose other edges
+//! a seam is as good as anywhere.
+std::vector<int> edgesInFlatRegions(const MeshData &mesh, const RigidRegions &regions)
+{
+    std::vector<int> inFlat;
+    const std::vector<double> angles = dihedralAngles(mesh);
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const auto [a, b] = mesh.edgePairs[e].triangle;
+        if (regions.region[a] >= 0 && regions.region[a] == regions.region[b] && angles[e] < flatAngle)
+            inFlat.push_back(static_cast<int>(e));
+    }
+    return inFlat;
 }
 
 //! Nothing on a rough surface that has hardly any flat regions.
@@ -127,18 +147,24 @@ Snapshot SeamPreference::applied(const Snapshot &snapshot, int threads)
         if (mRigidMesh != snapshot.mesh) {
             mRigidMesh = snapshot.mesh;
             mRigid = rigidRegions(snapshot.mesh);
+            mInFlat = mRigid ? edgesInFlatRegions(*snapshot.mesh, *mRigid) : std::vector<int>();
         }
         result.rigid = mRigid;
     }
     const std::vector<double> &factor = factors(snapshot, threads);
-    if (factor.empty())
+    const bool hasTears = result.rigid && !mInFlat.empty();
+    if (factor.empty() && !hasTears)
         return result;
     std::vector<double> &weight = result.editSteering().pairWeight;
-    weight.resize(2 * factor.size(), 1);
-    for (std::size_t e = 0; e < factor.size(); ++e) {
-        weight[2 * e] *= factor[e];
-        weight[2 * e + 1] *= factor[e];
-    }
+    weight.resize(snapshot.mesh->cornerPairCount(), 1);
+    const auto multiply = [&weight](std::size_t e, double by) {
+        weight[2 * e] *= by;
+        weight[2 * e + 1] *= by;
+    };
+    for (std::size_t e = 0; e < factor.size(); ++e)
+        multiply(e, factor[e]);
+    for (std::size_t i = 0; hasTears && i < mInFlat.size(); ++i)
+        multiply(mInFlat[i], tearFactor);
     return result;
 }
 

@@ -10,8 +10,9 @@ namespace autocuts::preference {
 class SeamPreference
 {
 public:
-    //! The snapshot with the factors for creases and hidden places multiplied into the painted weights, with
-    //! the rigid regions and the parts to align; unchanged when the settings ask for none of it.
+    //! The snapshot with the rigid regions and the parts to align, and with factors multiplied into the
+    //! painted weights: for creases, hidden places, and seams that tear a flat region. Unchanged when the
+    //! settings ask for none of it.
     Snapshot applied(const Snapshot &snapshot, int threads = 1);
 
 private:
@@ -23,6 +24,7 @@ private:
     std::vector<double> mFactors;
     std::shared_ptr<const MeshData> mRigidMesh; //!< mesh of the stored regions, with its texel weights
     std::shared_ptr<const RigidRegions> mRigid;
+    std::vector<int> mInFlat; //!< the edge pairs inside of flat regions
 };
 
 //! Per connected component: true where seams prefer sharp edges. Empty: nowhere.

@@ -196,13 +196,25 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     if (definite::coversItself(soup, map))
         return;
     auto result = std::make_shared<LiveMapResult>();
-    const bool placed = !mStanding || !mStanding->inPlace || isBeaten(map);
+    const bool stands = mStanding && mStanding->inPlace;
+    bool placed = !stands || isBeaten(map);
     if (placed) {
-        if (mStanding && mStanding->inPlace)
-            mStanding.reset();
+        const LivePlacing before = mPlacing;
         result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh, mOptions.dragged,
                                     mProblem.plan().rotation(PackRotation::Free));
-    } else {
+        // Shorter seams are not worth a lower texel density.
+        const bool obeyedBefore = stands || (mBest && mBestMerit.obeysAs(merit));
+        if (mPlacing.shrank() && obeyedBefore) {
+            mPlacing = before;
+            if (!stands)
+                return;
+            placed = false;
+            merit.value = mStanding->worth.seamCost; // another one that is cheaper may fit
+        }
+    }
+    if (placed && stands)
+        mStanding.reset();
+    if (!placed) {
         map = mStanding->worth.map;
         result->uv = *whole.uv;
     }

@@ -115,6 +115,11 @@ private:
         double value = 0;    //!< seam cost; above the bound, the distortion
 
         auto operator<=>(const Merit &) const = default;
+        //! True when only the value may differ.
+        bool obeysAs(const Merit &other) const
+        {
+            return anchorFaults == other.anchorFaults && misses == other.misses;
+        }
     };
 
     Merit meritOf(const search::CutState &state) const;

@@ -37,7 +37,6 @@ constexpr auto timeAfterStop = std::chrono::milliseconds(100);
 //! Share of the stretch above the bound that other seams may leave to be taken in place of those of the map.
 //! Chosen by hand.
 constexpr double worthOtherSeams = 0.5;
-constexpr double sameSize = 1e-6; // maps of sizes that differ by this share are equally large
 
 void load(const FinishInput &input, const FreePart &part, int threads, homotopy::Solver &solver)
 {
@@ -103,7 +102,7 @@ void place(const FinishInput &input, const FreePart &part, NewCharts map, const 
         const bool packed = keeps ? packMisplaced(mesh, map.charts, pack, map.uv, packing)
                                   : packCharts(mesh, map.charts, pack, map.uv, packing);
         result.noRoom = !packed && !job.stopped();
-        result.madeSmaller = keeps && !input.live && layoutScale(mesh, map.uv) < (1 - sameSize) * size;
+        result.madeSmaller = keeps && !input.live && isSmaller(mesh, map.uv, size);
         result.uv = std::move(map.uv);
     }
 }

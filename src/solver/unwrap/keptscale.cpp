@@ -97,4 +97,10 @@ void keepScales(const Snapshot &snapshot, const ChartMap &charts, const PackJob 
     scaleCharts(mesh, charts, factors, uv);
 }
 
+bool isSmaller(const MeshData &mesh, const UvMatrix &uv, double size)
+{
+    constexpr double sameSize = 1e-6; // the share that rounding may make
+    return layoutScale(mesh, uv) < (1 - sameSize) * size;
+}
+
 } // namespace autocuts::unwrap

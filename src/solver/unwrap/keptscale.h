@@ -25,4 +25,7 @@ void scaleCharts(const MeshData &mesh, const ChartMap &charts, const std::vector
 void keepScales(const Snapshot &snapshot, const ChartMap &charts, const PackJob &pack, double scale,
                 UvMatrix &uv);
 
+//! True when a map has become noticeably smaller. \param size that it had, see layoutScale()
+bool isSmaller(const MeshData &mesh, const UvMatrix &uv, double size);
+
 } // namespace autocuts::unwrap

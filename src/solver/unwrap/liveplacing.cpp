@@ -12,6 +12,12 @@ namespace autocuts::unwrap {
 
 namespace {
 
+//! True when some islands are where they belong.
+bool sizeIsGiven(const Snapshot &snapshot, const FreePart &part)
+{
+    return !part.isWhole() || snapshot.placesIslands();
+}
+
 double areaOf(const MeshData &mesh, const UvMatrix &uv)
 {
     double area = 0;
@@ -138,8 +144,7 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
                             const std::vector<int> &dragged, PackRotation turns)
 {
     const Snapshot own = part.withoutRectangles();
-    // True when some islands are where they belong, so that the scale is given.
-    const bool stays = !part.isWhole() || snapshot.placesIslands();
+    const bool stays = sizeIsGiven(snapshot, part);
     if (afresh && !stays) {
         mBefore.reset();
         mBegun.reset();
@@ -167,6 +172,7 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     // Once the user has put islands somewhere, they are as near to each other as it comes.
     pack.gap = std::ranges::find(mPutByHand, true) == mPutByHand.end() ? *mGap : 0;
     mHadRoom = true;
+    mShrank = false;
     const std::vector<bool> held = heldCharts(own, state);
     std::vector<double> given;
     UvMatrix uv;
@@ -221,10 +227,12 @@ UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part,
             return uv;
     }
     UvMatrix uv = placedBy(*mBefore, part, charts, shape, turns, held);
+    const double size = layoutScale(*snapshot.mesh, uv);
     if (onlyRectangles(pack) && liesFree(*snapshot.mesh, whole, pack, uv))
         growIntoRectangles(*snapshot.mesh, whole, pack, uv);
     else
         mHadRoom = packMisplacedCalmly(*snapshot.mesh, whole, pack, uv, *mGap);
+    mShrank = sizeIsGiven(snapshot, part) && isSmaller(*snapshot.mesh, uv, size);
     return uv;
 }
 

@@ -34,6 +34,9 @@ public:
 
     //! False when there was no room for all charts of the last map, so that some may overlap.
     bool hadRoom() const { return mHadRoom; }
+    //! True when the last map only fits with smaller islands where their size is given: places are, or only a
+    //! part of the map changes.
+    bool shrank() const { return mShrank; }
 
 private:
     struct Before
@@ -60,6 +63,7 @@ private:
     std::vector<bool> mBeforeDrag; //!< the same before the drag that goes on or was the last one
     bool mDrags = false;
     bool mHadRoom = true;
+    bool mShrank = false;
 };
 
 } // namespace autocuts::unwrap

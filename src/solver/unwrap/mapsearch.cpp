@@ -153,9 +153,10 @@ private:
         if (mJob.stopped() || (best && isWithinBound(*best)))
             return best;
         if (suitsClusters() || suitsClusterNets()) {
-            best = bySearch({}, nullptr, isPartlyRigid() ? FirstMaps::ClusterNets : FirstMaps::Clusters);
-            if (mJob.stopped() || (best && isWithinBound(*best)))
-                return best;
+            mFromClusters =
+                bySearch({}, nullptr, isPartlyRigid() ? FirstMaps::ClusterNets : FirstMaps::Clusters);
+            if (mJob.stopped() || (isDraft() && mFromClusters && isWithinBound(*mFromClusters)))
+                return mFromClusters;
         }
         // Only the soup can start from existing UVs.
         if (mOptions.lambda) {
@@ -171,6 +172,8 @@ private:
             best = std::move(searched); // in the map of the soup, rigid regions bend
         else
             keepBetter(best, std::move(searched));
+        if (mFromClusters)
+            keepBetter(best, mFromClusters);
         if (mJob.stopped())
             return best;
         if (!best || (!mOptions.lambda && !isWithinBound(*best)))
@@ -186,22 +189,25 @@ private:
     //! Standard has not been measured.
     bool suitsClusters() const
     {
-        return isFreeDraft() && !isPartlyRigid() && mSnapshot.mesh->triangleCount() > fullEffortTriangles &&
-               !isTangled(*mSnapshot.mesh) &&
+        return isDraft() && isFree() && !isPartlyRigid() &&
+               mSnapshot.mesh->triangleCount() > fullEffortTriangles && !isTangled(*mSnapshot.mesh) &&
                hasPartWithMore(manyBorders - 1, manyHandles - 1, *mSnapshot.mesh);
     }
 
-    //! True when a draft starts from clusters and rigid regions.
+    //! True when a draft starts from clusters and rigid regions, and the other qualities also from the map
+    //! that a draft makes of these.
     bool suitsClusterNets() const
     {
-        return isFreeDraft() && isPartlyRigid() && startsFromSoup(mSnapshot, UnwrapQuality::Standard);
+        return isFree() && isPartlyRigid() && startsFromSoup(mSnapshot, UnwrapQuality::Standard);
     }
 
-    bool isFreeDraft() const
+    bool isDraft() const { return mOptions.quality == UnwrapQuality::Draft; }
+
+    //! True when neither a balance nor a map nor steering is given.
+    bool isFree() const
     {
-        return mOptions.quality == UnwrapQuality::Draft && !mOptions.lambda &&
-               mSnapshot.settings.start != StartMode::ExistingUv && !mBefore && !mSnapshot.placesIslands() &&
-               !hasDecidedEdges();
+        return !mOptions.lambda && mSnapshot.settings.start != StartMode::ExistingUv && !mBefore &&
+               !mSnapshot.placesIslands() && !hasDecidedEdges();
     }
 
     //! The map without seams, when the bound allows it.
@@ -242,11 +248,13 @@ private:
         const bool isBest = mOptions.quality == UnwrapQuality::Best;
         const int searches = 1 + steers + isBest;
         int begun = 0;
-        search.start = [&](int steps) {
-            mRanking.setTotal(searches * steps);
-            mRanking.stepDone(begun++ * steps);
-        };
-        search.progress = [&](int steps) { mRanking.stepDone(steps); };
+        if (isDraft() || first == FirstMaps::Usual) {
+            search.start = [&](int steps) {
+                mRanking.setTotal(searches * steps);
+                mRanking.stepDone(begun++ * steps);
+            };
+            search.progress = [&](int steps) { mRanking.stepDone(steps); };
+        }
         if (steers) {
             if (std::optional<SeamedMap> free = steeredFreeMap(search))
                 search.given.push_back(std::move(*free));
@@ -259,8 +267,11 @@ private:
             search.given.push_back(mBefore->map());
         if (first == FirstMaps::ClusterNets && !startFromClusterNets(mGraph, mSnapshot, search))
             return std::nullopt;
-        if (!symmetry && first == FirstMaps::Usual)
+        if (!symmetry && first == FirstMaps::Usual) {
             addNetStarts(mGraph, mSnapshot, mJob.quiet(), search);
+            if (mFromClusters)
+                search.given.push_back(mFromClusters->map);
+        }
         search.improved = [&](const search::CutState &state) {
             mRanking.offer(measuresOf(state), [&] { return state.map(); });
         };
@@ -368,6 +379,7 @@ private:
     const std::shared_ptr<const search::SeamGraph> mGraph; //!< without symmetry
     //! The map before the job, steered, where pins hold islands or given seams stay.
     std::optional<search::CutState> mBefore;
+    std::optional<Candidate> mFromClusters; //!< a further map to start from
     int mIterations = 0;
 };
 

@@ -29,7 +29,6 @@ namespace autocuts::unwrap {
 namespace {
 
 // Time for straightening, chosen by hand: after a stop, and for a map that is shown while the search goes on.
-constexpr double sameSize = 1e-6; // islands of sizes that differ by this share are equally large
 //! Shares of the bound that the search may use where chosen lines are bent, one after the other: by hand.
 constexpr std::array boundShares{1.0, 0.8, 0.5};
 //! Time until maps are made ready for a stop, where nobody watches. Measured: they took a third of the CPU
@@ -174,7 +173,7 @@ private:
             const double size = layoutScale(*mSnapshot.mesh, result.uv);
             result.packed = packCharts(*mSnapshot.mesh, charts, pack, result.uv, job);
             result.madeSmaller =
-                keepsScale && layoutScale(*mSnapshot.mesh, result.uv) < (1 - sameSize) * size;
+                keepsScale && isSmaller(*mSnapshot.mesh, result.uv, size);
         }
         if (!result.packed && !stays)
             fitFirstTile(result.uv, mOptions.packing.tileHeight());
