@@ -39,13 +39,16 @@ void BestLiveMap::forgetWaiting()
     mNextGiven = {};
 }
 
+BestLiveMap::Merit BestLiveMap::makeMerit(int anchorFaults, double distortion, double cost) const
+{
+    Merit merit{.anchorFaults = anchorFaults, .misses = distortion > mOptions.maxDistortion};
+    merit.value = merit.misses ? distortion : cost;
+    return merit;
+}
+
 BestLiveMap::Merit BestLiveMap::meritOf(const search::CutState &state) const
 {
-    Merit merit;
-    merit.anchorFaults = state.anchorFaults();
-    merit.misses = state.distortion > mOptions.maxDistortion;
-    merit.value = merit.misses ? state.distortion : state.cost;
-    return merit;
+    return makeMerit(state.anchorFaults(), state.distortion, state.cost);
 }
 
 void BestLiveMap::offer(const search::CutState &state)
@@ -209,7 +212,8 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
             if (!stands)
                 return;
             placed = false;
-            merit.value = mStanding->worth.seamCost; // another one that is cheaper may fit
+            const Candidate &worth = mStanding->worth;
+            merit = makeMerit(worth.anchorFaults, worth.bounded, worth.seamCost); // a better one may fit
         }
     }
     if (placed && stands)

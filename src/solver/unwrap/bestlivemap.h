@@ -122,6 +122,7 @@ private:
         }
     };
 
+    Merit makeMerit(int anchorFaults, double distortion, double cost) const;
     Merit meritOf(const search::CutState &state) const;
     SeamedMap settled(const search::CutState &state, const JobContext &job) const;
     std::optional<SeamedMap> settledAlike(const search::CutState &state, const JobContext &job);

@@ -12,12 +12,6 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! True when some islands are where they belong.
-bool sizeIsGiven(const Snapshot &snapshot, const FreePart &part)
-{
-    return !part.isWhole() || snapshot.placesIslands();
-}
-
 double areaOf(const MeshData &mesh, const UvMatrix &uv)
 {
     double area = 0;
@@ -144,7 +138,8 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
                             const std::vector<int> &dragged, PackRotation turns)
 {
     const Snapshot own = part.withoutRectangles();
-    const bool stays = sizeIsGiven(snapshot, part);
+    // True when some islands are where they belong, so that the scale is given.
+    const bool stays = !part.isWhole() || snapshot.placesIslands();
     if (afresh && !stays) {
         mBefore.reset();
         mBegun.reset();
@@ -232,7 +227,9 @@ UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part,
         growIntoRectangles(*snapshot.mesh, whole, pack, uv);
     else
         mHadRoom = packMisplacedCalmly(*snapshot.mesh, whole, pack, uv, *mGap);
-    mShrank = sizeIsGiven(snapshot, part) && isSmaller(*snapshot.mesh, uv, size);
+    const bool hasTiles = std::ranges::any_of(pack.tiles, [](int tile) { return tile > 0; });
+    const bool sizeIsGiven = hasTiles || snapshot.placesIslands() || !part.isWhole();
+    mShrank = sizeIsGiven && isSmaller(*snapshot.mesh, uv, size);
     return uv;
 }
 

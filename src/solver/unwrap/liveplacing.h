@@ -34,8 +34,8 @@ public:
 
     //! False when there was no room for all charts of the last map, so that some may overlap.
     bool hadRoom() const { return mHadRoom; }
-    //! True when the last map only fits with smaller islands where their size is given: places are, or only a
-    //! part of the map changes.
+    //! True when the last map only fits with smaller islands where their size is given: tiles or places are,
+    //! or only a part of the map changes.
     bool shrank() const { return mShrank; }
 
 private:

@@ -21,8 +21,8 @@ constexpr double sameFlatness = 0.01, unseenBend = 0.1;
 //! The gain in mean distortion that counts: what an edit changes near it is little of the whole. Chosen by
 //! hand.
 constexpr double leastGain = 1e-5;
-//! Share of what the seams cost that other seams have to save, or a whole layout changes for seams that nobody
-//! sees to be shorter. Chosen by hand.
+//! Share of what the seams cost that other seams have to save, or a whole layout changes for seams that
+//! nobody sees to be shorter. Chosen by hand.
 constexpr double leastSaving = 0.003;
 //! The pull of soft pins that counts as less: by a share of the whole, and by a pin of weight 1 that comes
 //! nearer than this to its place, solver units. Chosen by hand.

@@ -172,8 +172,7 @@ private:
             }
             const double size = layoutScale(*mSnapshot.mesh, result.uv);
             result.packed = packCharts(*mSnapshot.mesh, charts, pack, result.uv, job);
-            result.madeSmaller =
-                keepsScale && isSmaller(*mSnapshot.mesh, result.uv, size);
+            result.madeSmaller = keepsScale && isSmaller(*mSnapshot.mesh, result.uv, size);
         }
         if (!result.packed && !stays)
             fitFirstTile(result.uv, mOptions.packing.tileHeight());
