@@ -1,6 +1,7 @@
 #include "solver/unwrap/livemap.h"
 
 #include "model/plain/parallel.h"
+#include "solver/base/timelimit.h"
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
 #include "solver/unwrap/coarsemaps.h"
@@ -22,6 +23,7 @@ constexpr double roundHeat = 0.5;       // see SeamRun::search()
 constexpr double noteworthy = 1e-3;     // share of the seam cost that a round has to gain
 constexpr int idleRoundsToRest = 6;     // rounds without a noteworthy gain after which the search ends
 constexpr int pulledSteps = 4;          // Newton steps on a map that is dragged
+constexpr auto timeOfDrag = std::chrono::milliseconds(150); // for a map that is dragged, in spite of a stop
 constexpr int resizingSteps = 12;       // Newton steps on a map whose texel weights changed
 constexpr int quickSteps = 4;           // Newton steps on the first map
 constexpr double quickTolerance = 1e-2; // energy gained below which the first map counts as relaxed
@@ -251,8 +253,13 @@ void LiveMap::steerMap(const JobContext &job)
             return;
         }
     } else {
-        std::optional<search::CutState> state = search::resteered(*mBest.best(), mProblem.graph(), job);
-        if (job.stopped())
+        // Drags come faster than maps: each is followed for a while before the next one stops it.
+        std::optional<TimeLimit> limit;
+        if (mPulled)
+            limit.emplace(job.unstoppable(), timeOfDrag);
+        const JobContext own = limit ? limit->context() : job;
+        std::optional<search::CutState> state = search::resteered(*mBest.best(), mProblem.graph(), own);
+        if (own.stopped())
             return;
         if (!state) {
             mBest.forgetBest();
@@ -261,14 +268,14 @@ void LiveMap::steerMap(const JobContext &job)
         }
         if (mPulled || mProblem.hasNewSizes()) {
             search::SeamTrial trial(*state);
-            trial.relaxAll(mPulled ? pulledSteps : resizingSteps, true, job);
-            if (job.stopped())
+            trial.relaxAll(mPulled ? pulledSteps : resizingSteps, true, own);
+            if (!mPulled && job.stopped())
                 return;
         }
         // The snapshot has other costs: whatever obeys it is better than the old map.
         mBest.forgetBest();
         mBest.offer(*state);
-        mBest.giveQuickly(job);
+        mBest.giveQuickly(own);
     }
     if (!mBest.best())
         mStage = Stage::Explore;
