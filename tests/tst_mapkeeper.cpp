@@ -200,7 +200,7 @@ private Q_SLOTS:
                                     .arg(was.symDirichlet)
                                     .arg(map->distortion)));
         QCOMPARE(bench.maps.front()->uv, before);
-        // The margin is halved twice before it is given up for islands to stay.
+        // The margin is halved at most twice for islands to stay.
         const double margin = bench.options.packing.margin / bench.options.packing.textureSize;
         const metrics::UvMetrics last = metrics::measureUv(*bench.snapshot.mesh, bench.maps.back()->uv);
         QVERIFY2(last.charts == 1 || last.minGutter >= 0.249 * margin,

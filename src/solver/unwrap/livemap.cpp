@@ -18,11 +18,11 @@ namespace autocuts::unwrap {
 namespace {
 
 // Chosen by hand; their effect has not been measured.
-constexpr int movesPerRound = 120;      // large moves on each map between two squeezes
-constexpr double roundHeat = 0.5;       // see SeamRun::search()
-constexpr double noteworthy = 1e-3;     // share of the seam cost that a round has to gain
-constexpr int idleRoundsToRest = 6;     // rounds without a noteworthy gain after which the search ends
-constexpr int pulledSteps = 4;          // Newton steps on a map that is dragged
+constexpr int movesPerRound = 120;  // large moves on each map between two squeezes
+constexpr double roundHeat = 0.5;   // see SeamRun::search()
+constexpr double noteworthy = 1e-3; // share of the seam cost that a round has to gain
+constexpr int idleRoundsToRest = 6; // rounds without a noteworthy gain after which the search ends
+constexpr int pulledSteps = 4;      // Newton steps on a map that is dragged
 constexpr auto timeOfDrag = std::chrono::milliseconds(150); // for a map that is dragged, in spite of a stop
 constexpr int resizingSteps = 12;       // Newton steps on a map whose texel weights changed
 constexpr int quickSteps = 4;           // Newton steps on the first map

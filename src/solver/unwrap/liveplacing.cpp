@@ -33,19 +33,20 @@ void growIntoRectangles(const MeshData &mesh, const ChartMap &charts, PackJob pa
 }
 
 //! Packs islands that are not where they belong. The others stay as long as these find room, with a smaller
-//! margin if need be: while a solve runs, islands that jump are worse than a small margin.
+//! margin if need be: while a solve runs, islands that jump are worse than a small margin, and none is worse
+//! than these.
 //! \param gap that islands keep; afterwards, that for which there was room
 bool packMisplacedCalmly(const MeshData &mesh, const ChartMap &charts, PackJob pack, UvMatrix &uv,
                          double &gap)
 {
-    constexpr int halvings = 2; // of the margin before it is given up
-    for (int tries = 0; tries <= halvings && pack.gap > 0; ++tries, pack.gap /= 2) {
+    const double smallest = pack.gap / 4;
+    for (; pack.gap > 0 && pack.gap >= smallest; pack.gap /= 2) {
         if (packOnlyMisplaced(mesh, charts, pack, uv)) {
             gap = pack.gap;
             return true;
         }
     }
-    pack.gap = 0;
+    pack.gap = smallest;
     return packMisplaced(mesh, charts, pack, uv);
 }
 

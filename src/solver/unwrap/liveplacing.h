@@ -12,9 +12,9 @@ namespace autocuts::unwrap {
 //! Places one map after the other. A chart goes to where its triangles were in the map before, at the texel
 //! density that its island or tile had there. Charts that leave their bin or overlap another one are packed
 //! into the room that is left, and so are those that come nearer to another one than the margin, or than the
-//! islands of the map at the beginning are to each other. Where there is no room, the margin is given up
-//! first; then all charts are packed. Islands that the user has dragged stay where they were put, and the
-//! others make room; from then on there is no margin to keep.
+//! islands of the map at the beginning are to each other. Where there is no room, the margin is halved at
+//! most twice; then all charts are packed. Islands that the user has dragged stay where they were put, and
+//! the others make room; from then on there is no margin to keep.
 class LivePlacing
 {
 public:
