@@ -18,15 +18,16 @@ namespace autocuts::unwrap {
 namespace {
 
 // Chosen by hand; their effect has not been measured.
-constexpr int movesPerRound = 120;  // large moves on each map between two squeezes
-constexpr double roundHeat = 0.5;   // see SeamRun::search()
-constexpr double noteworthy = 1e-3; // share of the seam cost that a round has to gain
-constexpr int idleRoundsToRest = 6; // rounds without a noteworthy gain after which the search ends
-constexpr int pulledSteps = 4;      // Newton steps on a map that is dragged
-constexpr auto timeOfDrag = std::chrono::milliseconds(150); // for a map that is dragged, in spite of a stop
+constexpr int movesPerRound = 120;      // large moves on each map between two squeezes
+constexpr double roundHeat = 0.5;       // see SeamRun::search()
+constexpr double noteworthy = 1e-3;     // share of the seam cost that a round has to gain
+constexpr int idleRoundsToRest = 6;     // rounds without a noteworthy gain after which the search ends
+constexpr int pulledSteps = 4;          // Newton steps on a map that is dragged
 constexpr int resizingSteps = 12;       // Newton steps on a map whose texel weights changed
 constexpr int quickSteps = 4;           // Newton steps on the first map
 constexpr double quickTolerance = 1e-2; // energy gained below which the first map counts as relaxed
+//! How long a dragged map is followed although the next move stops that.
+constexpr auto timeOfDrag = std::chrono::milliseconds(150);
 //! Meshes of more triangles than this get a draft by way of a coarser mesh. Twice the size of that mesh. Of
 //! large ones, that way gives the whole map.
 constexpr int sizeForCoarseDraft = 12'000;
@@ -256,7 +257,7 @@ void LiveMap::steerMap(const JobContext &job)
         // Drags come faster than maps: each is followed for a while before the next one stops it.
         std::optional<TimeLimit> limit;
         if (mPulled)
-            limit.emplace(job.unstoppable(), timeOfDrag);
+            limit.emplace(job, timeOfDrag, LimitStops::StoppedAndLate);
         const JobContext own = limit ? limit->context() : job;
         std::optional<search::CutState> state = search::resteered(*mBest.best(), mProblem.graph(), own);
         if (own.stopped())
