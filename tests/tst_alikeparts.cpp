@@ -149,7 +149,7 @@ void TestAlikeParts::oneOfEachKindStandsForTheOthers()
     }
     QVERIFY(std::abs(weight - 1) < 1e-12);
     QVERIFY(std::abs(area - 1) < 1e-12);
-    QVERIFY(!parts->snapshot().settings.symmetry);
+    QCOMPARE(parts->snapshot().settings.symmetry, SymmetryMode::Off);
     QVERIFY(!unwrap::AlikeParts::of(parts->snapshot()));
 }
 

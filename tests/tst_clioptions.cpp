@@ -59,7 +59,7 @@ private Q_SLOTS:
         QCOMPARE(o.settings.creases, CreaseMode::Auto);
         QCOMPARE(o.settings.creaseStrength, 0.8);
         QCOMPARE(o.settings.visibility, 0.0);
-        QVERIFY(!o.settings.symmetry);
+        QCOMPARE(o.settings.symmetry, SymmetryMode::Auto);
         QCOMPARE(o.settings.align, SolveSettings().align);
         QVERIFY(!o.settings.mirrorMaps && o.settings.worldUp == WorldUp::Off);
         QCOMPARE(o.settings.seams, SeamMode::Free);
@@ -105,7 +105,7 @@ private Q_SLOTS:
         QCOMPARE(o.settings.creases, CreaseMode::On);
         QCOMPARE(o.settings.creaseStrength, 0.5);
         QCOMPARE(o.settings.visibility, 0.25);
-        QVERIFY(o.settings.symmetry);
+        QCOMPARE(o.settings.symmetry, SymmetryMode::On);
         QCOMPARE(o.settings.align, CreaseMode::Auto);
         QVERIFY(o.settings.mirrorMaps);
         QCOMPARE(o.settings.worldUp, WorldUp::Z);
@@ -234,7 +234,7 @@ private Q_SLOTS:
                    words(
                        u"--max-distortion --seams --seams-from --lambda --init --weights --energy --solver "
                        "--quality --for --flat --alike --creases --crease-strength --visibility "
-                       "--symmetry --align --mirror --world-up --allow-overlaps --no-pack --per --density"_s);
+                       "--symmetry --no-symmetry --align --mirror --world-up --allow-overlaps --no-pack --per --density"_s);
         QTest::newRow("pack") << u"pack"_s
                               << common +
                                      words(u"--into --keep-scale --per --density --fill-tiles --tiles"_s);

@@ -65,7 +65,8 @@ private Q_SLOTS:
         const auto read = with("# mine\n\nmargin = 12\nsymmetry\nrays = 9\n");
         QVERIFY(read);
         QCOMPARE(read->unwrap.packing.margin, 12.0);
-        QVERIFY(read->settings.symmetry);
+        QCOMPARE(read->settings.symmetry, SymmetryMode::On);
+        QCOMPARE(with("no-symmetry\n")->settings.symmetry, SymmetryMode::Off);
         for (const auto &[text, message] :
              {std::pair("margni = 12\n", "own.preset:1: unknown option \"margni\" (did you mean --margin?)"),
               std::pair("\nmargin = many\n", "own.preset:2: --margin takes"),

@@ -132,7 +132,7 @@ private Q_SLOTS:
     {
         QFETCH(bool, symmetry);
         Snapshot snapshot = machine();
-        snapshot.settings.symmetry = symmetry;
+        snapshot.settings.symmetry = symmetry ? SymmetryMode::On : SymmetryMode::Off;
         if (symmetry)
             snapshot.mesh = test::sphere(10, 12);
         UvMatrix uv = draftOf(snapshot);
@@ -167,7 +167,7 @@ private Q_SLOTS:
         Snapshot snapshot;
         snapshot.mesh = makeSample(u"character"_s).value().mesh;
         snapshot.keepTiles = true;
-        snapshot.settings.symmetry = true;
+        snapshot.settings.symmetry = SymmetryMode::On;
         const std::optional<preference::MeshSymmetry> symmetry = preference::findSymmetry(*snapshot.mesh);
         QVERIFY(symmetry);
         const UvMatrix uv = draftOf(snapshot);

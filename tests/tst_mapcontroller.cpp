@@ -223,7 +223,7 @@ private Q_SLOTS:
         scene.mesh = test::polygonMesh({{0, 0, 0}, {3, 0, 0}, {0.5, 2, 0}, {1, 0.7, 1.5}},
                                        {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
         DocumentState state = DocumentState::initial(std::move(scene));
-        state.solveSettings.symmetry = true;
+        state.solveSettings.symmetry = SymmetryMode::On;
         studio.workspace.open(Document::create(std::move(state)).value(), {});
         studio.map.unwrap(UnwrapQuality::Draft);
         QVERIFY(studio.ends());

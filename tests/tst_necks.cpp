@@ -126,7 +126,7 @@ void TestNecks::theHandDecides_data()
         [](Snapshot &s) { s.editSteering().pairWeight.assign(s.mesh->cornerPairCount(), 100); });
     row("pinned", [](Snapshot &s) { s.editSteering().pins.push_back({0, Vec2::Zero(), true, 1}); });
     row("given seams", [](Snapshot &s) { s.settings.seams = SeamMode::Keep; });
-    row("symmetric seams", [](Snapshot &s) { s.settings.symmetry = true; });
+    row("symmetric seams", [](Snapshot &s) { s.settings.symmetry = SymmetryMode::On; });
     row("symmetric maps", [](Snapshot &s) { s.settings.mirrorMaps = true; });
 }
 

@@ -369,7 +369,7 @@ private Q_SLOTS:
             QVERIFY(image < 0 || (Vec3(m.positions.row(image)) - mirrored(v)).norm() < least + 1e-9);
         }
         SolveSettings settings;
-        settings.symmetry = true;
+        settings.symmetry = SymmetryMode::On;
         const UnwrapResult result = draft(nearly, settings);
         QVERIFY(result.symmetry && *result.symmetry > 0);
     }
@@ -413,7 +413,7 @@ private Q_SLOTS:
         QFETCH(const double, bound);
         Snapshot snapshot;
         snapshot.mesh = mesh;
-        snapshot.settings.symmetry = true;
+        snapshot.settings.symmetry = SymmetryMode::On;
         UnwrapOptions options;
         options.quality = UnwrapQuality::Draft;
         options.maxDistortion = bound;
@@ -444,13 +444,13 @@ private Q_SLOTS:
     {
         const MeshPtr mesh = sample("character");
         SolveSettings settings;
-        settings.symmetry = true;
+        settings.symmetry = SymmetryMode::On;
         const UnwrapResult result = draft(mesh, settings);
         QVERIFY(result.distortion <= 4.1);
         QVERIFY(result.symmetry && *result.symmetry > 0.99);
         QCOMPARE(*result.symmetry, symmetricShare(*mesh, *findSymmetry(*mesh), result.cut));
         QVERIFY(draft(mesh, settings, 1).uv == result.uv);
-        settings.symmetry = false;
+        settings.symmetry = SymmetryMode::Off;
         const UnwrapResult other = draft(mesh, settings);
         QVERIFY(!other.symmetry);
         QVERIFY(symmetricShare(*mesh, *findSymmetry(*mesh), other.cut) < 0.9);
@@ -486,7 +486,7 @@ private Q_SLOTS:
             return Vec3(p.x() + 0.4 * p.y() * p.z(), p.y() + 0.2 * p.x() * p.x(), p.z() * (1 + 0.3 * p.z()));
         });
         SolveSettings settings;
-        settings.symmetry = true;
+        settings.symmetry = SymmetryMode::On;
         QCOMPARE(draft(sheared, settings).symmetry, std::optional(0.0));
     }
 
@@ -524,7 +524,7 @@ private Q_SLOTS:
         settings.creases = CreaseMode::On;
         settings.creaseStrength = 0.25;
         settings.visibility = 0.5;
-        settings.symmetry = true;
+        settings.symmetry = SymmetryMode::On;
         settings.maxDistortion = 4.3;
         settings.align = CreaseMode::On;
         settings.mirrorMaps = true;
@@ -533,8 +533,8 @@ private Q_SLOTS:
         CborReader reader(toCbor(settings));
         QVERIFY(readSolveSettings(reader) == settings);
         QVERIFY(!reader.failed());
-        for (const char *name :
-             {"creaseStrength", "visibility", "maxDistortion", "align", "mirrorMaps", "worldUp", "flat"}) {
+        for (const char *name : {"creaseStrength", "visibility", "maxDistortion", "align", "mirrorMaps",
+                                 "worldUp", "flat", "symmetricSeams"}) {
             QCborMap map = toCbor(settings);
             map[QLatin1StringView(name)] = 1.5;
             CborReader bad(map);

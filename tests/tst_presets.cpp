@@ -40,7 +40,7 @@ jobs::MapSettings unusual()
     solve.creases = CreaseMode::On;
     solve.creaseStrength = 0.1;
     solve.visibility = 0.3;
-    solve.symmetry = true;
+    solve.symmetry = SymmetryMode::On;
     solve.align = CreaseMode::Auto;
     solve.mirrorMaps = true;
     solve.worldUp = WorldUp::Z;

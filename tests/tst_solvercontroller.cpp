@@ -411,7 +411,7 @@ private Q_SLOTS:
         }
         scene.mesh = MeshData::build(positions, exact.faceStart, exact.cornerVertex, exact.faceObject);
         DocumentState state = DocumentState::initial(std::move(scene));
-        state.solveSettings.symmetry = true;
+        state.solveSettings.symmetry = SymmetryMode::On;
         state.solveSettings.maxDistortion = 8; // soon met
         studio.workspace.open(Document::create(std::move(state)).value(), {});
         studio.solver.setMode(SolveMode::Budget);

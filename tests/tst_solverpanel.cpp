@@ -242,10 +242,11 @@ private Q_SLOTS:
         typeInto(child<SliderSpin>(bench.panel, "visibility")->spinBox(), QStringLiteral("0.75"));
         QCOMPARE(bench.settings().creaseStrength, 0.5);
         QCOMPARE(bench.settings().visibility, 0.75);
-        auto *const symmetry = child<QCheckBox>(bench.panel, "symmetry");
+        auto *const symmetry = child<QComboBox>(bench.panel, "symmetry");
+        QCOMPARE(symmetry->currentData().toInt(), int(SymmetryMode::Auto));
         symmetry->setFocus();
-        QTest::keyClick(symmetry, Qt::Key_Space);
-        QVERIFY(bench.settings().symmetry);
+        QTest::keyClick(symmetry, Qt::Key_Down);
+        QCOMPARE(bench.settings().symmetry, SymmetryMode::On);
         QCOMPARE(bench.stack().count(), 4);
         QVERIFY(test::isUpToDate(bench.panel));
         auto *const hidden = child<QCheckBox>(bench.panel, "hidden");
@@ -288,7 +289,7 @@ private Q_SLOTS:
         QVERIFY(test::isUpToDate(bench.panel));
         QCOMPARE(creases->currentData().toInt(), int(CreaseMode::Auto));
         QCOMPARE(child<SliderSpin>(bench.panel, "visibility")->value(), 0.0);
-        QVERIFY(!symmetry->isChecked());
+        QCOMPARE(symmetry->currentData().toInt(), int(SymmetryMode::Auto));
     }
 
     void theBudgetTakesOverLambdaAndDelta()

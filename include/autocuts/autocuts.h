@@ -106,6 +106,13 @@ typedef enum autocuts_switch {
     AUTOCUTS_ON = 2
 } autocuts_switch;
 
+/* Whether both sides of a symmetric mesh get the same seams. */
+typedef enum autocuts_symmetry {
+    AUTOCUTS_SYMMETRY_OFF = 0,
+    AUTOCUTS_SYMMETRY_ON = 1,  /* on every symmetric mesh */
+    AUTOCUTS_SYMMETRY_AUTO = 2 /* where they hardly cost more */
+} autocuts_symmetry;
+
 /* What connected parts that are copies of each other get. */
 typedef enum autocuts_alike {
     AUTOCUTS_ALIKE_OFF = 0,
@@ -169,7 +176,7 @@ typedef struct autocuts_options
     int creases;            /* autocuts_switch: seams along sharp edges */
     double crease_strength; /* part of its cost that a seam on a sharp edge saves, 0 to 1 */
     double visibility;      /* how much seams prefer hidden places, 0 to 1 */
-    int symmetry;           /* not 0: symmetric seams on symmetric meshes */
+    int symmetry;           /* autocuts_symmetry: the same seams on both sides of symmetric meshes */
     int mirror;             /* not 0: islands of both sides get maps that are mirror images */
     int align;              /* autocuts_switch: islands run along the axes, straight edges stay straight */
     int world_up;           /* autocuts_axis: the direction of the model that is up in the map */

@@ -9640,14 +9640,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Dehnung</translation>
     </message>
     <message>
-        <source>Same cuts on both sides</source>
-        <translation>Gleiche Schnitte auf beiden Seiten</translation>
-    </message>
-    <message>
-        <source>Cuts a symmetric model symmetrically. Models whose edges do not mirror are cut as usual.</source>
-        <translation>Schneidet ein symmetrisches Modell symmetrisch. Modelle, deren Kanten sich nicht spiegeln, werden wie üblich geschnitten.</translation>
-    </message>
-    <message>
         <source>Seams where they are hard to see</source>
         <translation>Nähte, wo man sie kaum sieht</translation>
     </message>
@@ -9786,6 +9778,22 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>An organic surface has no flat faces to keep</source>
         <translation>Eine organische Oberfläche hat keine ebenen Flächen, die zu bewahren wären</translation>
+    </message>
+    <message>
+        <source>Any cuts</source>
+        <translation>Beliebige Schnitte</translation>
+    </message>
+    <message>
+        <source>Same cuts if cheap</source>
+        <translation>Gleiche Schnitte, wenn billig</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>Beide Seiten</translation>
+    </message>
+    <message>
+        <source>Whether both sides of a symmetric model are cut alike. If cheap: Unwrap does so on curved models where its seams hardly become longer, and symmetric seams stay symmetric</source>
+        <translation>Ob beide Seiten eines symmetrischen Modells gleich geschnitten werden. Wenn billig: Abwickeln tut es bei gekrümmten Modellen, wo die Nähte kaum länger werden, und symmetrische Nähte bleiben symmetrisch</translation>
     </message>
 </context>
 <context>

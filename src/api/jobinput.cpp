@@ -64,6 +64,20 @@ autocuts_options optionsOf(const autocuts_options *options)
     return own;
 }
 
+SymmetryMode symmetryOf(int choice)
+{
+    switch (choice) {
+    case AUTOCUTS_SYMMETRY_OFF:
+        return SymmetryMode::Off;
+    case AUTOCUTS_SYMMETRY_ON:
+        return SymmetryMode::On;
+    case AUTOCUTS_SYMMETRY_AUTO:
+        return SymmetryMode::Auto;
+    default:
+        throw badInput("the choice for symmetry is unknown");
+    }
+}
+
 SolveSettings settingsOf(const autocuts_options &options)
 {
     static_assert(int(SurfaceKind::HardSurface) == AUTOCUTS_SURFACE_HARD &&
@@ -79,7 +93,7 @@ SolveSettings settingsOf(const autocuts_options &options)
     settings.creases = valueOf(options.creases, CreaseMode::On, "choice for creases");
     settings.creaseStrength = shareOf(options.crease_strength, "the strength of creases");
     settings.visibility = shareOf(options.visibility, "the weight of visibility");
-    settings.symmetry = options.symmetry != 0;
+    settings.symmetry = symmetryOf(options.symmetry);
     settings.mirrorMaps = options.mirror != 0;
     settings.align = valueOf(options.align, CreaseMode::On, "choice for aligning");
     settings.worldUp = valueOf(options.world_up, WorldUp::Z, "axis");

@@ -99,6 +99,7 @@ void autocuts_options_init(autocuts_options *options)
     options->creases = static_cast<int>(settings.creases);
     options->crease_strength = settings.creaseStrength;
     options->visibility = settings.visibility;
+    options->symmetry = AUTOCUTS_SYMMETRY_AUTO;
     options->align = static_cast<int>(settings.align);
     options->texture_width = packing.textureSize;
     options->texture_height = packing.height();

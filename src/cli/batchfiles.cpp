@@ -187,7 +187,8 @@ void BatchFiles::mergeSettings(CliOptions &options)
     merge("--creases", options.settings.creases, solve.creases);
     merge("--crease-strength", options.settings.creaseStrength, solve.creaseStrength);
     merge("--visibility", options.settings.visibility, solve.visibility);
-    merge("--symmetry", options.settings.symmetry, solve.symmetry);
+    if (!options.given.contains(QLatin1StringView("--no-symmetry")))
+        merge("--symmetry", options.settings.symmetry, solve.symmetry);
     merge("--align", options.settings.align, solve.align);
     merge("--mirror", options.settings.mirrorMaps, solve.mirrorMaps);
     merge("--world-up", options.settings.worldUp, solve.worldUp);

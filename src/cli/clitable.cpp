@@ -134,8 +134,11 @@ std::vector<CliOption> solvingOptions()
                u"part of its cost that a seam on a sharp edge saves, 0 to 1"_s),
         number(group, u"--visibility"_s, u"X"_s, fieldOf(&SolveSettings::visibility), 0, 1,
                u"how much seams prefer hidden places, 0 (not at all) to 1"_s),
-        flag(group, u"--symmetry"_s, fieldOf(&SolveSettings::symmetry), true,
-             u"make symmetric cuts on symmetric meshes"_s),
+        flag(group, u"--symmetry"_s, fieldOf(&SolveSettings::symmetry), SymmetryMode::On,
+             u"make symmetric cuts on symmetric meshes; without it, unwrap makes them on curved models where "
+             "they hardly cost more seams"_s),
+        flag(group, u"--no-symmetry"_s, fieldOf(&SolveSettings::symmetry), SymmetryMode::Off,
+             u"never mind symmetry: what is cheaper"_s),
         choice(
             group, u"--align"_s, fieldOf(&SolveSettings::align),
             u"turn islands to the axes, and make straight in the map what is straight on the model, as far "

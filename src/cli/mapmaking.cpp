@@ -101,7 +101,11 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
         outcome.notes << recognised(result.hardShare);
     outcome.lambda = result.lambda;
     outcome.delta = result.delta;
-    if (result.symmetry == 0.0)
+    if (result.symmetry && mOptions.settings.symmetry == SymmetryMode::Auto)
+        outcome.notes << QStringLiteral(
+            "recognised as symmetric: both sides have the same seams (--no-symmetry "
+            "says otherwise)");
+    else if (result.symmetry == 0.0)
         outcome.warnings << QStringLiteral("the mesh is not symmetric: nor are the cuts");
     else if (result.symmetry)
         saySymmetry(*result.symmetry, *scene.mesh, outcome);

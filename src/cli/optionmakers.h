@@ -63,8 +63,8 @@ inline CliOption text(OptionGroup group, const QStringList &names, const Field<Q
             }};
 }
 
-inline CliOption flag(OptionGroup group, const QString &name, const Field<bool> &field, bool value,
-                      const QString &meaning)
+template <class T>
+CliOption flag(OptionGroup group, const QString &name, const Field<T> &field, T value, const QString &meaning)
 {
     return {group,
             {name},

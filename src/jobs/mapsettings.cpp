@@ -94,16 +94,17 @@ NamedSetting number(const QString &name, Field field, double low, double high)
             }};
 }
 
-template <class Field>
-NamedSetting onOff(const QString &name, Field field)
+//! One value of a setting, by a name without a value.
+template <class Field, class T = bool>
+NamedSetting named(const QString &name, Field field, T value = true)
 {
     return {name, false,
-            [field](MapSettings &settings, const QString &) -> std::optional<QString> {
-                field(settings) = true;
+            [field, value](MapSettings &settings, const QString &) -> std::optional<QString> {
+                field(settings) = value;
                 return std::nullopt;
             },
-            [field](const MapSettings &settings) {
-                return field(settings) ? std::optional(QString()) : std::nullopt;
+            [field, value](const MapSettings &settings) {
+                return field(settings) == value ? std::optional(QString()) : std::nullopt;
             }};
 }
 
@@ -127,9 +128,10 @@ const std::vector<NamedSetting> &namedSettings()
         choice(u"creases"_s, fieldOf(&SolveSettings::creases)),
         number(u"crease-strength"_s, fieldOf(&SolveSettings::creaseStrength), 0, 1),
         number(u"visibility"_s, fieldOf(&SolveSettings::visibility), 0, 1),
-        onOff(u"symmetry"_s, fieldOf(&SolveSettings::symmetry)),
+        named(u"symmetry"_s, fieldOf(&SolveSettings::symmetry), SymmetryMode::On),
+        named(u"no-symmetry"_s, fieldOf(&SolveSettings::symmetry), SymmetryMode::Off),
         choice(u"align"_s, fieldOf(&SolveSettings::align)),
-        onOff(u"mirror"_s, fieldOf(&SolveSettings::mirrorMaps)),
+        named(u"mirror"_s, fieldOf(&SolveSettings::mirrorMaps)),
         choice(u"world-up"_s, fieldOf(&SolveSettings::worldUp)),
         number(u"seed"_s, fieldOf(&SolveSettings::seed), 0, std::numeric_limits<int>::max()),
         {u"texture-size"_s, true,
@@ -141,7 +143,7 @@ const std::vector<NamedSetting> &namedSettings()
         number(u"tile"_s, fieldOf(&PackingSettings::udimTile), PackingSettings::firstTile,
                PackingSettings::lastTile),
         number(u"pack-time"_s, fieldOf(&PackingSettings::effort), 0, PackingSettings::maxEffort),
-        onOff(u"keep-scale"_s, fieldOf(&PackingSettings::keepScale)),
+        named(u"keep-scale"_s, fieldOf(&PackingSettings::keepScale)),
     };
     return settings;
 }

@@ -71,7 +71,7 @@ autocuts_options optionsFrom(Bytes &bytes, int *calls)
     options.surface = int(bytes.next() % 3);
     options.alike = int(bytes.next() % 3);
     options.align = int(bytes.next() % 3);
-    options.symmetry = bytes.flag();
+    options.symmetry = bytes.flag() ? AUTOCUTS_SYMMETRY_ON : AUTOCUTS_SYMMETRY_AUTO;
     options.texture_width = options.texture_height = 64 << bytes.next() % 4;
     options.margin = bytes.next() % 8;
     options.pack_time = 0.01;

@@ -73,7 +73,8 @@ SOLVING = {
     "creases": _choice("off auto on", "auto", "Put seams along sharp edges", "Creases"),
     "crease_strength": _number(0.8, 0, 1, "Part of its cost that a seam on a sharp edge saves", "Crease strength"),
     "visibility": _number(0, 0, 1, "How much seams prefer hidden places", "Visibility"),
-    "symmetry": _flag("Make symmetric cuts on symmetric meshes", "Symmetry"),
+    "symmetry": _flag("Make symmetric cuts on every symmetric mesh", "Symmetry"),
+    "no_symmetry": _flag("Do not make symmetric cuts where they hardly cost more", "No symmetry"),
     "align": _choice(
         "off auto on",
         "off",

@@ -240,7 +240,7 @@ QCborMap toCbor(const SolveSettings &settings)
             {"creases"_L1, static_cast<int>(settings.creases)},
             {"creaseStrength"_L1, settings.creaseStrength},
             {"visibility"_L1, settings.visibility},
-            {"symmetry"_L1, settings.symmetry},
+            {"symmetricSeams"_L1, static_cast<int>(settings.symmetry)},
             {"align"_L1, static_cast<int>(settings.align)},
             {"mirrorMaps"_L1, settings.mirrorMaps},
             {"worldUp"_L1, static_cast<int>(settings.worldUp)},
@@ -277,7 +277,11 @@ SolveSettings readSolveSettings(CborReader &reader)
     read("creaseStrength"_L1, settings.creaseStrength,
          [&] { return reader.number("creaseStrength"_L1, 0, 1); });
     read("visibility"_L1, settings.visibility, [&] { return reader.number("visibility"_L1, 0, 1); });
-    read("symmetry"_L1, settings.symmetry, [&] { return reader.boolean("symmetry"_L1); });
+    // Former versions had a switch; where it was off, the default has changed since.
+    read("symmetry"_L1, settings.symmetry,
+         [&] { return reader.boolean("symmetry"_L1) ? SymmetryMode::On : SymmetryMode::Auto; });
+    read("symmetricSeams"_L1, settings.symmetry,
+         [&] { return reader.enumerator("symmetricSeams"_L1, SymmetryMode::On); });
     read("align"_L1, settings.align, [&] { return reader.enumerator("align"_L1, CreaseMode::On); });
     read("mirrorMaps"_L1, settings.mirrorMaps, [&] { return reader.boolean("mirrorMaps"_L1); });
     read("worldUp"_L1, settings.worldUp, [&] { return reader.enumerator("worldUp"_L1, WorldUp::Z); });

@@ -17,6 +17,9 @@ enum class FlatMode { Rigid, Free };
 //! Whether connected parts that are copies of each other, also mirrored ones, get the same seams and the same
 //! islands in automatic maps. Stack: in addition, an unwrap lays islands that are copies on each other.
 enum class AlikeMode { Off, SameCuts, Stack };
+//! Whether both sides of a symmetric model get the same seams in automatic maps. Auto: where they hardly cost
+//! more, see unwrap/symmetricseams.h. On: wherever the model is symmetric.
+enum class SymmetryMode { Off, Auto, On };
 //! The direction of the model that is up in the map; Off: any.
 enum class WorldUp { Off, Y, Z };
 //! Whose seams. Free: the search's. Keep: the given ones stay, and the search adds what the bound needs.
@@ -61,7 +64,7 @@ struct SolveSettings
     //! Share of its cost that a seam saves on a sharp edge, in [0, 1]; the default was chosen by hand.
     double creaseStrength = 0.8;
     double visibility = 0; //!< how strongly hidden places are preferred for seams, in [0, 1]
-    bool symmetry = false; //!< symmetric seams on symmetric meshes; automatic mode only
+    SymmetryMode symmetry = SymmetryMode::Auto;
     //! Islands run along the axes, and what is straight on the model is straight in the map. Auto: those of
     //! parts that are hard surfaces.
     CreaseMode align = CreaseMode::Off;

@@ -163,7 +163,7 @@ bool cutNecks(const Soup &soup, const Snapshot &snapshot, const std::vector<bool
               const JobContext &job)
 {
     const SolveSettings &settings = snapshot.settings;
-    if (settings.seams != SeamMode::Free || settings.symmetry || settings.mirrorMaps)
+    if (settings.seams != SeamMode::Free || settings.symmetry == SymmetryMode::On || settings.mirrorMaps)
         return false;
     const std::vector<int> edgeOfSide = edgesThatMayBeCut(soup, snapshot);
     double budget = mostAdded * map.seamLength(soup);

@@ -224,7 +224,7 @@ private:
         found.mSnapshot.mesh = mesh;
         found.mSnapshot.settings = mSnapshot.settings;
         found.mSnapshot.settings.alike = AlikeMode::Off;
-        found.mSnapshot.settings.symmetry = false;
+        found.mSnapshot.settings.symmetry = SymmetryMode::Off;
         addSteering(part, found.mSnapshot);
         found.mPart = std::move(part);
         found.mSourceCorner = inPart(found.mPart.corner, mSourceCorner);

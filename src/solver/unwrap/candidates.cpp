@@ -75,8 +75,8 @@ void Ranking::stepDone(int steps)
 {
     const std::scoped_lock lock(mMutex);
     mSteps += steps;
-    mProgress.fraction =
-        std::max(mProgress.fraction, optimizingShare * std::min(1.0, double(mSteps) / mTotalSteps));
+    const double done = std::min(1.0, double(mSteps) / mTotalSteps);
+    mProgress.fraction = std::max(mProgress.fraction, optimizingShare * (mBegin + (mEnd - mBegin) * done));
     mJob.report(mProgress);
 }
 

@@ -38,6 +38,12 @@ public:
     //! some seam; above it lower distortion wins. With a given lambda, the lower objective wins.
     bool better(const Candidate &a, const Candidate &b) const;
 
+    //! The searches that begin are a part of all, from one share to another.
+    void setPart(double begin, double end)
+    {
+        mBegin = begin;
+        mEnd = end;
+    }
     //! Sets the number of steps of the search that begins; the reported progress never goes back.
     void setTotal(int steps);
     //! Reports that so many further steps are done.
@@ -86,6 +92,7 @@ private:
     std::function<double(const Candidate &)> mReported;
     std::optional<Candidate> mBest;
     int mTotalSteps = 1, mSteps = 0;
+    double mBegin = 0, mEnd = 1; //!< shares of all searches
     JobProgress mProgress;
 };
 

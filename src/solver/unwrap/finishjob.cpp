@@ -19,6 +19,7 @@
 #include "solver/unwrap/oldplaces.h"
 #include "solver/unwrap/rectanglefit.h"
 #include "solver/unwrap/standingmap.h"
+#include "solver/unwrap/symmetricseams.h"
 
 #include <algorithm>
 #include <chrono>
@@ -199,7 +200,7 @@ std::optional<definite::RefinedMap> refinedMapBefore(const std::shared_ptr<const
 {
     const Snapshot problem = preference::SeamPreference().applied(part, job.threads());
     std::optional<preference::MeshSymmetry> symmetry;
-    if (problem.settings.symmetry)
+    if (problem.settings.symmetry == SymmetryMode::On)
         symmetry = preference::findSymmetry(*problem.mesh, preference::Exactness::Loose, job);
     const auto graph = search::SeamGraph::build(soup, problem, symmetry ? &*symmetry : nullptr);
     const std::optional<search::CutState> state = steeredMapBefore(graph, problem, job);
@@ -276,13 +277,14 @@ void straighten(const std::shared_ptr<const Soup> &soup, const Snapshot &snapsho
 FinishResult finishMap(const FinishInput &asked, const JobContext &job)
 {
     FinishResult result;
-    const std::optional<FreePart> part = FreePart::of(asked.snapshot);
+    FinishInput input = asked;
+    input.snapshot.settings.symmetry = settledSymmetry(asked.snapshot);
+    const std::optional<FreePart> part = FreePart::of(input.snapshot);
     if (!part) {
         result.nothingFree = true;
         result.uv = asked.snapshot.uv ? *asked.snapshot.uv : emptyLayout(*asked.snapshot.mesh);
         return result;
     }
-    FinishInput input = asked;
     input.maxDistortion = part->boundBeside(asked.maxDistortion);
     const Snapshot own = part->withoutRectangles();
     const std::shared_ptr<const Soup> soup = Soup::build(own.mesh);

@@ -86,7 +86,7 @@ public:
 private:
     void uniteMirrorImages(UnionFind &sets) const
     {
-        if (!mSnapshot.settings.symmetry)
+        if (mSnapshot.settings.symmetry != SymmetryMode::On)
             return;
         const std::optional<preference::MeshSymmetry> symmetry = preference::findSymmetry(mMesh);
         // The island of an edge, -1 on a seam: which side is the image of which is not known there.

@@ -2,6 +2,7 @@
 
 #include "solver/preference/surfacekind.h"
 #include "solver/unwrap/coarsetofine.h"
+#include "solver/unwrap/symmetricseams.h"
 
 #include <stdexcept>
 
@@ -25,12 +26,25 @@ bool LiveProblem::update(std::shared_ptr<const Snapshot> snapshot, int threads)
         if (!mHasNewSizes)
             mSymmetry.reset();
     }
-    if (mProblem.settings.symmetry && !mSymmetry)
+    settleSymmetry(same);
+    if (mProblem.settings.symmetry == SymmetryMode::On && !mSymmetry)
         mSymmetry = preference::findSymmetry(*mProblem.mesh);
     const preference::MeshSymmetry *symmetry = isSymmetric() ? &*mSymmetry : nullptr;
     mGraph =
         mGraph ? mGraph->steeredBy(mProblem, symmetry) : search::SeamGraph::build(mSoup, mProblem, symmetry);
     return same || mHasNewSizes;
+}
+
+void LiveProblem::settleSymmetry(bool same)
+{
+    SymmetryMode &mode = mProblem.settings.symmetry;
+    if (mode != SymmetryMode::Auto)
+        return;
+    if (!same || mWhole->uv != mJudgedMap) {
+        mJudgedMap = mWhole->uv;
+        mHasSymmetricSeams = isSymmetryOpen(mProblem) && hasSymmetricSeams(mProblem);
+    }
+    mode = mHasSymmetricSeams && isSymmetryOpen(mProblem) ? SymmetryMode::On : SymmetryMode::Off;
 }
 
 void LiveProblem::reset()
@@ -41,7 +55,7 @@ void LiveProblem::reset()
 
 std::optional<double> LiveProblem::mirroredArea() const
 {
-    if (!mProblem.settings.symmetry)
+    if (mProblem.settings.symmetry != SymmetryMode::On)
         return std::nullopt;
     return mSymmetry ? mSymmetry->matchedArea : 0;
 }

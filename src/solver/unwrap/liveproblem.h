@@ -36,7 +36,7 @@ public:
     //! What is to be straight.
     const straight::StraightPlan &plan() const { return mPlan; }
     //! Symmetric seams are asked for, and the part is symmetric.
-    bool isSymmetric() const { return mProblem.settings.symmetry && mSymmetry; }
+    bool isSymmetric() const { return mProblem.settings.symmetry == SymmetryMode::On && mSymmetry; }
     //! Share of the part's area that has a mirror image, 0 where it is not symmetric; nothing when symmetric
     //! seams are not asked for.
     std::optional<double> mirroredArea() const;
@@ -44,9 +44,14 @@ public:
     bool isForCoarse() const;
 
 private:
+    //! Where symmetric seams are left open, settles whether they stay so. \param same the part is as before
+    void settleSymmetry(bool same);
+
     std::shared_ptr<const Snapshot> mWhole;
     preference::SeamPreference mPreference;
     std::optional<preference::MeshSymmetry> mSymmetry;
+    std::shared_ptr<const UvMatrix> mJudgedMap; //!< of the document
+    bool mHasSymmetricSeams = false;            //!< it has
     std::optional<FreePart> mPart;
     bool mHasNewSizes = false;
     Snapshot mProblem;

@@ -10,6 +10,7 @@
 #include "solver/unwrap/flatpatches.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/mapsearch.h"
+#include "solver/unwrap/symmetricseams.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +109,7 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
         settleCarried(soup, snapshot, options, job, *carried);
     FoundMap found;
     found.iterations = carried->iterations;
-    if (snapshot.settings.symmetry)
+    if (snapshot.settings.symmetry == SymmetryMode::On)
         found.symmetry = 0;
     found.best = candidateOf(std::move(*carried), *soup, snapshot);
     return found;
@@ -153,7 +154,7 @@ std::optional<FoundMap> findOneOfEachKind(const std::shared_ptr<const Soup> &sou
                 [&](const Candidate &best) { prepareWhole([best](const JobContext &) { return best; }); });
     }
     FoundMap found = findMap(parts->snapshot(), own, ranking, job, prepareWhole);
-    if (snapshot.settings.symmetry)
+    if (snapshot.settings.symmetry == SymmetryMode::On)
         found.symmetry = 0;
     if (found.onlyReady)
         return found;
@@ -241,7 +242,7 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
         snapshot.settings = preference::decidedForAll(snapshot.settings, snapshot.mesh);
     }
     std::optional<preference::MeshSymmetry> symmetry;
-    if (snapshot.settings.symmetry)
+    if (snapshot.settings.symmetry == SymmetryMode::On)
         symmetry = preference::findSymmetry(*snapshot.mesh, preference::Exactness::Loose, job);
     // Not for symmetric cuts: the coarse mesh would not be symmetric.
     if (!symmetry) {
@@ -263,8 +264,11 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     if (options.lambda)
         snapshot.settings.flat = FlatMode::Free;
     snapshot = preference::SeamPreference().applied(snapshot, job.threads());
+    const bool asked = snapshot.settings.symmetry == SymmetryMode::On;
+    if (!asked)
+        symmetry = openSymmetry(snapshot, options, job);
     const auto search = [&] {
-        return searchMap(soup, snapshot, options, ranking, job, symmetry ? &*symmetry : nullptr,
+        return searchMap(soup, snapshot, options, ranking, job, {symmetry ? &*symmetry : nullptr, asked},
                          found.iterations);
     };
     std::optional<Candidate> best = search();
@@ -279,10 +283,11 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     if (found.onlyReady)
         return found;
     found.best = best ? std::move(*best) : patchesOf(given);
-    if (snapshot.settings.symmetry)
-        found.symmetry =
-            symmetry ? preference::symmetricShare(*snapshot.mesh, *symmetry, found.best.map.cut) : 0;
-    found.symmetryMissed = symmetry && !found.best.symmetric && !job.stopped();
+    if (asked)
+        found.symmetry = 0;
+    if (symmetry && (asked || found.best.symmetric))
+        found.symmetry = preference::symmetricShare(*snapshot.mesh, *symmetry, found.best.map.cut);
+    found.symmetryMissed = asked && symmetry && !found.best.symmetric && !job.stopped();
     return found;
 }
 

@@ -15,13 +15,20 @@ namespace autocuts::unwrap {
 //! Energy that one unit of seam cost is worth. \param lambda in [0, 1]
 [[nodiscard]] double muOf(double lambda);
 
+//! A symmetry that cuts must have, or that they get where it hardly costs more.
+struct WishedSymmetry
+{
+    const preference::MeshSymmetry *plane = nullptr; //!< null: none
+    bool required = false;
+};
+
 //! Finds the best map by the seam search and by the soup. \param snapshot with the preferences in its weights
-//! \param symmetry null: cuts need not be symmetric \param iterations the Newton steps are added to it
+//! \param iterations the Newton steps are added to it
 //! \returns nothing when there is no map
 [[nodiscard]] std::optional<Candidate> searchMap(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
                                                  const UnwrapOptions &options, Ranking &ranking,
-                                                 const JobContext &job,
-                                                 const preference::MeshSymmetry *symmetry, int &iterations);
+                                                 const JobContext &job, const WishedSymmetry &symmetry,
+                                                 int &iterations);
 
 //! A map of the soup, where the surface is such that an unwrap in standard quality starts from one; otherwise
 //! nothing. \param snapshot with the preferences in its weights

@@ -98,7 +98,8 @@ std::optional<StandingMap> standingMap(const Snapshot &snapshot, const FreePart 
     if (!snapshot.uv || asksForMore(snapshot, part) || hasClosedCuts(part.snapshot()))
         return std::nullopt;
     std::optional<Candidate> worth = worthOf(part, soup, problem, *snapshot.uv);
-    if (!worth || (snapshot.settings.symmetry && !isSymmetric(*soup->mesh, worth->map.cut)))
+    if (!worth ||
+        (snapshot.settings.symmetry == SymmetryMode::On && !isSymmetric(*soup->mesh, worth->map.cut)))
         return std::nullopt;
     const bool inPlace = liesInPlace(snapshot, packing, job);
     // Wishes are measured where a map lies.

@@ -42,7 +42,8 @@ struct UnwrapResult
     bool onlyPatches = false;
     double hardShare =
         0; //!< share of the area in parts that count as hard surfaces, see preference/surfacekind.h
-    //! Share of the seam length that is symmetric, 0 on a mesh that is not. Set when symmetry is asked for.
+    //! Share of the seam length that is symmetric, 0 on a mesh that is not. Set when symmetry is asked for,
+    //! and where it is left open and the seams are symmetric.
     std::optional<double> symmetry;
     bool symmetryMissed =
         false; //!< the mesh is symmetric, but no symmetric cuts met the bound: they are free

@@ -203,11 +203,14 @@ QString asymmetryText(double mirrored)
 }
 
 //! Says how symmetric the seams are, and what has no mirror image.
-void saySymmetry(const unwrap::UnwrapResult &made, const MeshData &mesh, MapJobResult &result)
+//! \param asked by the user; otherwise only where the seams are symmetric
+void saySymmetry(const unwrap::UnwrapResult &made, const MeshData &mesh, bool asked, MapJobResult &result)
 {
     const auto symmetry = preference::findSymmetry(mesh);
     if (symmetry)
         result.message += JobTexts::tr(", %1 % of the seams symmetric").arg(100 * *made.symmetry, 0, 'f', 1);
+    if (!asked)
+        return;
     if (made.symmetryMissed) {
         result.problem =
             result.message + u". "_s + JobTexts::tr("No symmetric cuts met the bound: the cuts are free");
@@ -262,7 +265,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     else if (!made.withinBound)
         result.problem = aboveBound(distortion, options.maxDistortion);
     else if (made.symmetry)
-        saySymmetry(made, input.mesh(), result);
+        saySymmetry(made, input.mesh(), input.snapshot.settings.symmetry == SymmetryMode::On, result);
     sayHeldOverlaps(input, result);
     return result;
 }

@@ -24,7 +24,8 @@ constexpr double hiddenSeams = 0.5;
 
 UnwrapForm::UnwrapForm(QWidget *parent)
     : QWidget(parent), mUnwrap(makeButton(tr("Unwrap"), "unwrap"_L1)), mStretch(new StretchControl),
-      mSurface(new QComboBox), mAlike(new QComboBox), mUp(new QComboBox), mQuality(new QComboBox)
+      mSurface(new QComboBox), mAlike(new QComboBox), mSymmetry(new QComboBox), mUp(new QComboBox),
+      mQuality(new QComboBox)
 {
     mUnwrap->setProperty("primary", true);
     mUnwrap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -67,17 +68,24 @@ UnwrapForm::UnwrapForm(QWidget *parent)
         tr("Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of "
            "them is solved, which is faster. Stacked: Unwrap also lays islands that are copies on each "
            "other. Parts that you cut or join by hand are left out"));
+    mSymmetry->setObjectName("symmetry"_L1);
+    mSymmetry->addItem(tr("Any cuts"), int(SymmetryMode::Off));
+    mSymmetry->addItem(tr("Same cuts if cheap"), int(SymmetryMode::Auto));
+    mSymmetry->addItem(tr("Same cuts"), int(SymmetryMode::On));
+    connect(mSymmetry, &QComboBox::activated, this, [this] {
+        const auto mode = SymmetryMode(mSymmetry->currentData().toInt());
+        Q_EMIT edited([mode](SolveSettings &settings) { settings.symmetry = mode; }, true);
+    });
+    addRow(
+        form, tr("Both sides"), mSymmetry,
+        tr("Whether both sides of a symmetric model are cut alike. If cheap: Unwrap does so on curved models "
+           "where its seams hardly become longer, and symmetric seams stay symmetric"));
     mFlat = addSwitch(
         tr("Keep flat faces rigid"), "flat"_L1,
         tr("Flat faces, and what unrolls without stretch, keep their shape; the stretch goes to the curved "
            "parts. Off: "
            "seams become shorter, and faces bend"),
         [](SolveSettings &settings, bool on) { settings.flat = on ? FlatMode::Rigid : FlatMode::Free; });
-    mSymmetry =
-        addSwitch(tr("Same cuts on both sides"), "symmetry"_L1,
-                  tr("Cuts a symmetric model symmetrically. Models whose edges do not mirror are cut as "
-                     "usual."),
-                  [](SolveSettings &settings, bool on) { settings.symmetry = on; });
     mHidden = addSwitch(tr("Seams where they are hard to see"), "hidden"_L1,
                         tr("Seams rather in folds, between parts, underneath; Advanced sets how strongly"),
                         [](SolveSettings &settings, bool on) { settings.visibility = on ? hiddenSeams : 0; });
@@ -96,7 +104,7 @@ UnwrapForm::UnwrapForm(QWidget *parent)
                         tr("Symmetric islands get symmetric maps, those of a left and a right part mirror "
                            "images of each other; goes with the same cuts on both sides"),
                         [](SolveSettings &settings, bool on) { settings.mirrorMaps = on; });
-    for (QCheckBox *box : {mFlat, mSymmetry, mHidden, mSharp, mAlign, mMirror})
+    for (QCheckBox *box : {mFlat, mHidden, mSharp, mAlign, mMirror})
         form->addRow(box);
     mUp->setObjectName("worldUp"_L1);
     mUp->addItem(tr("Any direction"), int(WorldUp::Off));
@@ -155,7 +163,7 @@ void UnwrapForm::setSettings(const SolveSettings &settings)
     mStretch->setValue(settings.maxDistortion);
     mFlat->setChecked(settings.flat == FlatMode::Rigid && settings.surface != SurfaceKind::Organic);
     mAlike->setCurrentIndex(mAlike->findData(int(settings.alike)));
-    mSymmetry->setChecked(settings.symmetry);
+    mSymmetry->setCurrentIndex(mSymmetry->findData(int(settings.symmetry)));
     mHidden->setChecked(settings.visibility > 0);
     mSharp->setChecked(settings.creases != CreaseMode::Off);
     mAlign->setChecked(settings.align != CreaseMode::Off);

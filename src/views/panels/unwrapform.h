@@ -46,9 +46,8 @@ private:
 
     QPushButton *mUnwrap;
     StretchControl *mStretch;
-    QCheckBox *mFlat = nullptr, *mSymmetry = nullptr, *mHidden = nullptr, *mSharp = nullptr,
-              *mAlign = nullptr, *mMirror = nullptr;
-    QComboBox *mSurface, *mAlike, *mUp, *mQuality;
+    QCheckBox *mFlat = nullptr, *mHidden = nullptr, *mSharp = nullptr, *mAlign = nullptr, *mMirror = nullptr;
+    QComboBox *mSurface, *mAlike, *mSymmetry, *mUp, *mQuality;
 };
 
 } // namespace autocuts
