@@ -140,7 +140,7 @@ private Q_SLOTS:
         pin("draft", Job::Draft, "torus", {6.91458, 4.057297, 0.46492, 1});
         pin("draft", Job::Draft, "machine", {18.73848, 4.096687, 0.78496, 46});
         pin("standard", Job::Standard, "bumpycube", {3.66362, 4.098390, 0.44370, 1});
-        pin("standard", Job::Standard, "character", {7.57539, 4.098612, 0.58399, 2});
+        pin("standard", Job::Standard, "character", {7.25195, 4.098486, 0.555472, 2});
         pin("standard", Job::Standard, "torus", {5.87010, 4.084522, 0.47874, 1});
         // Not the machine: that takes long and shows little more than its draft.
         pin("finish", Job::Finish, "bumpycube", {3.40379, 4.097472, 0.53249, 1});

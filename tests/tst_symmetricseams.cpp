@@ -170,12 +170,14 @@ private Q_SLOTS:
     void aLiveSolveKeepsThem()
     {
         const Snapshot open = symmetricMap();
-        unwrap::LiveProblem problem;
-        problem.update(std::make_shared<const Snapshot>(open), 1);
-        QVERIFY(problem.isSymmetric());
         Snapshot cut = open;
         cut.editSteering().pairState.assign(cut.mesh->cornerPairCount(), PairState::Free);
         cut.editSteering().pairState[4] = cut.editSteering().pairState[5] = PairState::Cut;
+        unwrap::LiveProblem problem;
+        problem.update(std::make_shared<const Snapshot>(cut), 1);
+        QVERIFY(!problem.isSymmetric());
+        problem.update(std::make_shared<const Snapshot>(open), 1);
+        QVERIFY(problem.isSymmetric());
         problem.update(std::make_shared<const Snapshot>(cut), 1);
         QVERIFY(!problem.isSymmetric());
         problem.update(std::make_shared<const Snapshot>(open), 1);

@@ -40,11 +40,14 @@ void LiveProblem::settleSymmetry(bool same)
     SymmetryMode &mode = mProblem.settings.symmetry;
     if (mode != SymmetryMode::Auto)
         return;
-    if (!same || mWhole->uv != mJudgedMap) {
+    if (!same)
+        mJudgedMap = nullptr;
+    const bool open = mWhole->uv && isSymmetryOpen(mProblem);
+    if (open && mWhole->uv != mJudgedMap) {
         mJudgedMap = mWhole->uv;
-        mHasSymmetricSeams = isSymmetryOpen(mProblem) && hasSymmetricSeams(mProblem);
+        mHasSymmetricSeams = hasSymmetricSeams(mProblem);
     }
-    mode = mHasSymmetricSeams && isSymmetryOpen(mProblem) ? SymmetryMode::On : SymmetryMode::Off;
+    mode = open && mHasSymmetricSeams ? SymmetryMode::On : SymmetryMode::Off;
 }
 
 void LiveProblem::reset()

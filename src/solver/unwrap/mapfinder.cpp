@@ -240,6 +240,8 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     if (suitsCoarseToFine(snapshot, options.quality)) {
         // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
         snapshot.settings = preference::decidedForAll(snapshot.settings, snapshot.mesh);
+        if (snapshot.settings.symmetry == SymmetryMode::Auto)
+            snapshot.settings.symmetry = SymmetryMode::Off; // a coarser version is not symmetric
     }
     std::optional<preference::MeshSymmetry> symmetry;
     if (snapshot.settings.symmetry == SymmetryMode::On)
