@@ -145,6 +145,11 @@ private Q_SLOTS:
         snapshot = plain;
         snapshot.settings.surface = SurfaceKind::HardSurface;
         QTest::newRow("hard surface") << snapshot << false;
+        snapshot = plain;
+        snapshot.settings.align = CreaseMode::On;
+        QTest::newRow("straight") << snapshot << false;
+        snapshot.settings.align = CreaseMode::Auto; // on hard surfaces only
+        QTest::newRow("straight where it is hard") << snapshot << true;
     }
 
     void steeringLeavesNothingOpen()

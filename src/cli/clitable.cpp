@@ -138,7 +138,7 @@ std::vector<CliOption> solvingOptions()
              u"make symmetric cuts on symmetric meshes; without it, unwrap makes them on curved models where "
              "they hardly cost more seams"_s),
         flag(group, u"--no-symmetry"_s, fieldOf(&SolveSettings::symmetry), SymmetryMode::Off,
-             u"never mind symmetry: what is cheaper"_s),
+             u"make the shortest seams, symmetric or not"_s),
         choice(
             group, u"--align"_s, fieldOf(&SolveSettings::align),
             u"turn islands to the axes, and make straight in the map what is straight on the model, as far "

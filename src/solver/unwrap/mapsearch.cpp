@@ -110,9 +110,9 @@ std::optional<Candidate> bySoupChains(const Snapshot &snapshot, const UnwrapOpti
 //! for.
 constexpr double symmetricPrice = 1.05;
 //! Efforts of the two steps in which standard looks for them (best has its own for the second), and the share
-//! that the first one may end with. Measured, cost of symmetric seams after the second step, and CPU time of
-//! both beside that of the free search: character .97, 1.1; spot 1.05, .5; fish 1.06, .4. With half the
-//! starts, character has 1.18.
+//! that the first one may end with. Measured, cost of symmetric seams in one search with all these moves:
+//! character .97, spot 1.05, fish 1.06; with half the starts, character has 1.18. CPU time of both steps, as
+//! a share of the free search: character .7, spot .5, fish .4.
 const search::OptimizeEffort symmetricTrial{10, {{80, 3}, {200, 1}}, 0};
 const search::OptimizeEffort symmetricEffort{0, {{1300, 1}}, 10};
 constexpr double hopefulTrial = 1.15;

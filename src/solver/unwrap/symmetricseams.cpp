@@ -2,6 +2,7 @@
 
 #include "model/plain/uvseams.h"
 #include "solver/base/cutmesh.h"
+#include "solver/preference/seampreference.h"
 #include "solver/preference/surfacekind.h"
 
 #include <algorithm>
@@ -20,7 +21,8 @@ bool isSymmetryOpen(const Snapshot &snapshot)
 {
     const Steering &steering = *snapshot.steering;
     return snapshot.settings.symmetry == SymmetryMode::Auto && snapshot.settings.seams == SeamMode::Free &&
-           !snapshot.placesIslands() &&
+           !snapshot.placesIslands() && steering.straightLoops.empty() &&
+           preference::alignedParts(snapshot.settings, *snapshot.mesh).empty() &&
            std::ranges::all_of(steering.pairState, [](PairState s) { return s == PairState::Free; }) &&
            preference::surfaceParts(*snapshot.mesh, snapshot.settings.surface).hardShare < mostlyHard;
 }

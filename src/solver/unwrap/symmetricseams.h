@@ -9,8 +9,8 @@
 
 namespace autocuts::unwrap {
 
-//! True where the setting leaves it open, the model is mostly curved, and the user says nothing about seams
-//! or places.
+//! True where the setting leaves it open, the model is mostly curved, and the user says nothing about seams,
+//! places or what is to be straight: straightening changes seams on one side only.
 bool isSymmetryOpen(const Snapshot &snapshot);
 
 //! True when the map of the snapshot has seams, and both sides of the model have the same ones.

@@ -322,8 +322,10 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &asked, const
             asked.maxDistortion;
     result.iterations = found.iterations;
     result.hardShare = preference::surfaceParts(*part->snapshot().mesh, snapshot.settings.surface).hardShare;
-    result.symmetry = found.symmetry;
-    result.symmetryMissed = found.symmetryMissed;
+    if (!stays) {
+        result.symmetry = found.symmetry;
+        result.symmetryMissed = found.symmetryMissed;
+    }
     result.stopped = job.stopped();
     return result;
 }

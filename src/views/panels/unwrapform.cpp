@@ -24,7 +24,22 @@ constexpr double hiddenSeams = 0.5;
 
 UnwrapForm::UnwrapForm(QWidget *parent)
     : QWidget(parent), mUnwrap(makeButton(tr("Unwrap"), "unwrap"_L1)), mStretch(new StretchControl),
-      mSurface(new QComboBox), mAlike(new QComboBox), mSymmetry(new QComboBox), mUp(new QComboBox),
+      mSurface(makeChoice("surface"_L1, &SolveSettings::surface,
+                          {{{}, SurfaceKind::Auto},
+                           {tr("Organic"), SurfaceKind::Organic},
+                           {tr("Hard surface"), SurfaceKind::HardSurface}})),
+      mAlike(makeChoice("alike"_L1, &SolveSettings::alike,
+                        {{tr("Each on its own"), AlikeMode::Off},
+                         {tr("Same cuts"), AlikeMode::SameCuts},
+                         {tr("Same cuts, stacked"), AlikeMode::Stack}})),
+      mSymmetry(makeChoice("symmetry"_L1, &SolveSettings::symmetry,
+                           {{tr("Any cuts"), SymmetryMode::Off},
+                            {tr("Same cuts if cheap"), SymmetryMode::Auto},
+                            {tr("Same cuts"), SymmetryMode::On}})),
+      mUp(makeChoice("worldUp"_L1, &SolveSettings::worldUp,
+                     {{tr("Any direction"), WorldUp::Off},
+                      {tr("Y of the model"), WorldUp::Y},
+                      {tr("Z of the model"), WorldUp::Z}})),
       mQuality(new QComboBox)
 {
     mUnwrap->setProperty("primary", true);
@@ -41,41 +56,17 @@ UnwrapForm::UnwrapForm(QWidget *parent)
         tr("How much the map may be stretched: little stretch needs long seams. D is the mean symmetric "
            "Dirichlet energy over the surface, 4 where nothing is distorted. Also used by the live solve and "
            "Finish."));
-    mSurface->setObjectName("surface"_L1);
-    mSurface->addItem({}, int(SurfaceKind::Auto));
-    mSurface->addItem(tr("Organic"), int(SurfaceKind::Organic));
-    mSurface->addItem(tr("Hard surface"), int(SurfaceKind::HardSurface));
     setRecognised({});
-    connect(mSurface, &QComboBox::activated, this, [this] {
-        const auto kind = SurfaceKind(mSurface->currentData().toInt());
-        Q_EMIT edited([kind](SolveSettings &settings) { settings.surface = kind; }, true);
-    });
     addRow(form, tr("Model"), mSurface,
            tr("What the model is like. Hard surface: flat faces with sharp edges; these keep their shape and "
               "get "
               "the seams. Organic: curved, so that the stretch may go anywhere. Recognise: each part by "
               "itself"));
-    mAlike->setObjectName("alike"_L1);
-    mAlike->addItem(tr("Each on its own"), int(AlikeMode::Off));
-    mAlike->addItem(tr("Same cuts"), int(AlikeMode::SameCuts));
-    mAlike->addItem(tr("Same cuts, stacked"), int(AlikeMode::Stack));
-    connect(mAlike, &QComboBox::activated, this, [this] {
-        const auto mode = AlikeMode(mAlike->currentData().toInt());
-        Q_EMIT edited([mode](SolveSettings &settings) { settings.alike = mode; }, true);
-    });
     addRow(
         form, tr("Alike parts"), mAlike,
         tr("Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of "
            "them is solved, which is faster. Stacked: Unwrap also lays islands that are copies on each "
            "other. Parts that you cut or join by hand are left out"));
-    mSymmetry->setObjectName("symmetry"_L1);
-    mSymmetry->addItem(tr("Any cuts"), int(SymmetryMode::Off));
-    mSymmetry->addItem(tr("Same cuts if cheap"), int(SymmetryMode::Auto));
-    mSymmetry->addItem(tr("Same cuts"), int(SymmetryMode::On));
-    connect(mSymmetry, &QComboBox::activated, this, [this] {
-        const auto mode = SymmetryMode(mSymmetry->currentData().toInt());
-        Q_EMIT edited([mode](SolveSettings &settings) { settings.symmetry = mode; }, true);
-    });
     addRow(
         form, tr("Both sides"), mSymmetry,
         tr("Whether both sides of a symmetric model are cut alike. If cheap: Unwrap does so on curved models "
@@ -106,14 +97,6 @@ UnwrapForm::UnwrapForm(QWidget *parent)
                         [](SolveSettings &settings, bool on) { settings.mirrorMaps = on; });
     for (QCheckBox *box : {mFlat, mHidden, mSharp, mAlign, mMirror})
         form->addRow(box);
-    mUp->setObjectName("worldUp"_L1);
-    mUp->addItem(tr("Any direction"), int(WorldUp::Off));
-    mUp->addItem(tr("Y of the model"), int(WorldUp::Y));
-    mUp->addItem(tr("Z of the model"), int(WorldUp::Z));
-    connect(mUp, &QComboBox::activated, this, [this] {
-        const auto up = WorldUp(mUp->currentData().toInt());
-        Q_EMIT edited([up](SolveSettings &settings) { settings.worldUp = up; }, true);
-    });
     addRow(form, tr("Up in the map"), mUp,
            tr("Turns islands so that this direction is up; they are packed as they stand"));
     mQuality->setObjectName("quality"_L1);
@@ -124,6 +107,21 @@ UnwrapForm::UnwrapForm(QWidget *parent)
     connect(mQuality, &QComboBox::currentIndexChanged, this,
             [this] { Q_EMIT qualityChosen(unwrap::UnwrapQuality(mQuality->currentData().toInt())); });
     addRow(form, tr("Quality"), mQuality, tr("How much work Unwrap puts into short seams"));
+}
+
+template <class T>
+QComboBox *UnwrapForm::makeChoice(QLatin1StringView name, T SolveSettings::*setting,
+                                  std::initializer_list<std::pair<QString, T>> choices)
+{
+    auto *box = new QComboBox;
+    box->setObjectName(name);
+    for (const auto &[text, choice] : choices)
+        box->addItem(text, int(choice));
+    connect(box, &QComboBox::activated, this, [this, box, setting] {
+        const auto choice = T(box->currentData().toInt());
+        Q_EMIT edited([setting, choice](SolveSettings &settings) { settings.*setting = choice; }, true);
+    });
+    return box;
 }
 
 QCheckBox *UnwrapForm::addSwitch(const QString &text, QLatin1StringView name, const QString &tip,

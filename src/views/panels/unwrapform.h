@@ -41,6 +41,10 @@ Q_SIGNALS:
     void unwrapRequested();
 
 private:
+    //! A list of the values of a setting, which no row shows yet.
+    template <class T>
+    QComboBox *makeChoice(QLatin1StringView name, T SolveSettings::*setting,
+                          std::initializer_list<std::pair<QString, T>> choices);
     QCheckBox *addSwitch(const QString &text, QLatin1StringView name, const QString &tip,
                          std::function<void(SolveSettings &, bool)> set);
 
