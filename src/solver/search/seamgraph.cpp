@@ -29,8 +29,11 @@ std::vector<int> eliminationOrder(const SeamGraph &graph)
     std::vector<Eigen::Triplet<double>> entries;
     for (int v = 0; v < graph.vertexCount; ++v)
         entries.emplace_back(v, v, 1.0);
-    for (const auto &[a, b] : graph.ends)
+    // From the triangles: graph.ends lacks the borders.
+    for (int c = 0; c < static_cast<int>(graph.vertex.size()); ++c) {
+        const int a = graph.vertex[c], b = graph.vertex[c / 3 * 3 + (c + 1) % 3];
         entries.emplace_back(std::max(a, b), std::min(a, b), 1.0);
+    }
     linear::LinearSolver::Matrix pattern(graph.vertexCount, graph.vertexCount);
     pattern.setFromTriplets(entries.begin(), entries.end());
     return linear::eliminationRanks(pattern);
