@@ -298,6 +298,25 @@ private Q_SLOTS:
         QVERIFY2(distortion <= 4.1, qPrintable(QString::number(distortion)));
     }
 
+    void stretchThatIsLeftOverIsSpent()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = meshCalled(QStringLiteral("sphere"));
+        const auto soup = Soup::build(snapshot.mesh);
+        CoarseSearch search = draft(400);
+        const auto find = search.unwrap;
+        search.unwrap = [&](const Snapshot &coarse, UnwrapOptions options, const CarryOver &carry) {
+            options.maxDistortion = 4.02;
+            return find(coarse, options, carry);
+        };
+        UnwrapOptions options;
+        options.quality = UnwrapQuality::Draft;
+        const auto map = mapByCoarse(soup, snapshot, options, search, {});
+        QVERIFY(map);
+        const double distortion = map->map.distortion(*soup);
+        QVERIFY2(distortion > 4.06 && distortion <= 4.1, qPrintable(QString::number(distortion)));
+    }
+
     void trianglesWithoutAPlaceBecomeCharts()
     {
         Snapshot snapshot;

@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <set>
 
 namespace tst_seamsearch {
 
@@ -49,6 +51,24 @@ CutState startOf(const std::shared_ptr<const SeamGraph> &graph, int paths)
     SeamedMap map{CutFlags(cut.begin(), cut.end()), {}};
     map.x = tutteEmbedding(*graph->soup, CutMesh(*graph->soup->mesh, map.cut));
     return CutState::from(graph, map);
+}
+
+//! Entries below the diagonal of the factor, per point, when all points are eliminated in the order of
+//! `rank`.
+double fillOf(const SeamGraph &graph)
+{
+    std::vector<std::set<int>> below(graph.vertexCount); // per place in the order
+    for (std::size_t c = 0; c < graph.vertex.size(); ++c) {
+        const int a = graph.rank[graph.vertex[c]], b = graph.rank[graph.vertex[c / 3 * 3 + (c + 1) % 3]];
+        below[std::min(a, b)].insert(std::max(a, b));
+    }
+    std::size_t entries = 0;
+    for (const std::set<int> &rows : below) {
+        entries += rows.size();
+        if (!rows.empty())
+            below[*rows.begin()].insert(std::next(rows.begin()), rows.end());
+    }
+    return double(entries) / graph.vertexCount;
 }
 
 //! What does not follow from the cut flags of a state; empty when all does.
@@ -430,6 +450,24 @@ private Q_SLOTS:
             QVERIFY(graph->rule[e] != SeamGraph::Rule::AlwaysCut || found->map.cut[e]);
             QVERIFY(graph->rule[e] != SeamGraph::Rule::NeverCut || !found->map.cut[e]);
         }
+    }
+
+    void theEliminationOrderHasLittleFill_data()
+    {
+        // Twice what the approximate minimum degree of the whole mesh gives.
+        QTest::addColumn<test::MeshPtr>("mesh");
+        QTest::addColumn<double>("most");
+        QTest::newRow("closed") << test::sphere(20, 30) << 24.0;
+        QTest::newRow("with a border") << test::grid(24) << 20.0;
+    }
+    void theEliminationOrderHasLittleFill()
+    {
+        QFETCH(test::MeshPtr, mesh);
+        QFETCH(double, most);
+        Snapshot snapshot;
+        snapshot.mesh = mesh;
+        const double fill = fillOf(*graphOf(snapshot));
+        QVERIFY2(fill < most, qPrintable(QString::number(fill)));
     }
 
     void aStopLeavesAValidMap()

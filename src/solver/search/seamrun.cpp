@@ -187,7 +187,7 @@ void SeamRun::meetBound(double mostCost)
         mu = std::max(leastMu, mu * mOptions.effort.boundFall);
         mSearch.setMu(mu);
         mSearch.polish(1);
-        for (int k = 0; k < mOptions.effort.boundMoves; ++k)
+        for (int k = 0; k < mOptions.effort.boundMoves && mState.distortion > bound(); ++k)
             mSearch.tryLargeMove();
         mSearch.relaxAll(3);
         report(0);

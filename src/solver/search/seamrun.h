@@ -30,8 +30,9 @@ struct OptimizeEffort
     //! bound on shorter seams.
     int squeezes = 10;
     //! While a map is above the bound at the end, mu is multiplied by boundFall again and again, each time
-    //! followed by boundMoves large moves. Drafts use 0.5 and 16 because these rounds took most of their
-    //! time.
+    //! followed by up to boundMoves large moves. Drafts use 0.5 and 64: as mu falls, seams that take away
+    //! little stretch are accepted too, so that moves are worth more than rounds. Measured with 64 in place
+    //! of 16: seams of 10 drafts are .92 times as long (.81 to 1.0) in .95 of the CPU time.
     double boundFall = 0.85;
     int boundMoves = 8;
 };

@@ -20,6 +20,9 @@ struct UnwrapOptions
     std::optional<double> lambda; //!< weight of the separation (paper, equation 1) in place of the bound
     UnwrapQuality quality = UnwrapQuality::Standard;
     bool allowOverlaps = false;
+    //! The mesh is the coarse version of another one, whose seams get shortened with those of this one: a
+    //! draft tries more.
+    bool coarse = false;
     bool pack = true; //!< false: the islands are not packed, and the map is scaled into the first tile
     packing::PackOptions packing;
     //! Receives ever better maps, packed with little effort, while the search goes on. Called from a thread
