@@ -66,8 +66,9 @@ std::optional<double> distortionWithout(const Snapshot &snapshot, const std::vec
     states.resize(snapshot.mesh->cornerPairCount(), PairState::Free);
     for (const int e : edges)
         states[2 * e] = states[2 * e + 1] = PairState::Joined;
-    std::optional<search::CutState> state =
-        search::resteered(search::CutState::from(graph, *map, true), graph->steeredBy(joined));
+    search::CutState relaxed = search::CutState::from(graph, *map, true);
+    search::SeamTrial(relaxed).relaxAll(200, true);
+    std::optional<search::CutState> state = search::resteered(relaxed, graph->steeredBy(joined));
     if (!state)
         return std::nullopt;
     search::SeamTrial(*state).relaxAll(200, true);

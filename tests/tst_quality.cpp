@@ -136,12 +136,12 @@ private Q_SLOTS:
             QTest::addRow("%s %s", title, sample) << job << QString::fromLatin1(sample) << pinned;
         };
         pin("draft", Job::Draft, "bumpycube", {4.39115, 4.037036, 0.43628, 1});
-        pin("draft", Job::Draft, "character", {10.62853, 4.094309, 0.45734, 1});
+        pin("draft", Job::Draft, "character", {10.48089, 4.094375, 0.46953, 1});
         pin("draft", Job::Draft, "torus", {6.91458, 4.057297, 0.46492, 1});
         pin("draft", Job::Draft, "machine", {18.73848, 4.096687, 0.78496, 46});
         pin("standard", Job::Standard, "bumpycube", {3.66362, 4.098390, 0.44370, 1});
         pin("standard", Job::Standard, "character", {7.25195, 4.098486, 0.555472, 2});
-        pin("standard", Job::Standard, "torus", {5.87010, 4.084522, 0.47874, 1});
+        pin("standard", Job::Standard, "torus", {5.81452, 4.098397, 0.47821, 1});
         // Not the machine: that takes long and shows little more than its draft.
         pin("finish", Job::Finish, "bumpycube", {3.40379, 4.097472, 0.53249, 1});
         pin("finish", Job::Finish, "character", {10.47352, 4.098997, 0.66344, 9});
