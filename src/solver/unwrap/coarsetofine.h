@@ -47,10 +47,10 @@ bool isLargeMesh(const MeshData &mesh);
 bool suitsCoarseToFine(const Snapshot &snapshot, UnwrapQuality quality);
 
 //! Coarsens the mesh, unwraps the coarse one, carries seams and map over to the fine mesh and relaxes the map
-//! there; where that misses the bound, seams are added. Borders and the user's cut and joined edges are not
-//! collapsed; painted weights are carried over. No chart overlaps itself unless overlaps are allowed.
-//! \returns nothing when the mesh cannot be coarsened far enough, when the map cannot be carried over, or
-//! when the job was stopped before there was one
+//! there; where that misses the bound, seams are added, and where stretch is left over, they get shorter.
+//! Borders and the user's cut and joined edges are not collapsed; painted weights are carried over. No chart
+//! overlaps itself unless overlaps are allowed. \returns nothing when the mesh cannot be coarsened far
+//! enough, when the map cannot be carried over, or when the job was stopped before there was one
 [[nodiscard]] std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup,
                                                     const Snapshot &snapshot, const UnwrapOptions &options,
                                                     const CoarseSearch &search, const JobContext &job = {});

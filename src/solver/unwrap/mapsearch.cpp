@@ -21,9 +21,9 @@ namespace {
 constexpr double fullEffortTriangles = 2000;
 
 //! Effort on a mesh of fullEffortTriangles or more. The rounds were chosen by hand; no comparison with
-//! other plans is on record. Measured for the whole unwrap in draft, standard and best: seams are 1.10, .794
-//! and .771 times as long as those of OptCuts on 14 meshes used in development (in 1/61, 1/5.4 and 1/1.9 of
-//! its CPU time), and 1.13, .854 and .834 times as long on 18 other meshes.
+//! other plans is on record. Measured for the whole unwrap: seams in standard and best are .794 and .771
+//! times as long as those of OptCuts on 14 meshes used in development (in 1/5.4 and 1/1.9 of its CPU time),
+//! and .854 and .834 times as long on 18 other meshes; in draft .97 times as long on 14 meshes (.77 to 1.14).
 search::OptimizeEffort fullEffort(UnwrapQuality quality)
 {
     switch (quality) {
@@ -284,14 +284,15 @@ private:
             search.mu = muOf(*mOptions.lambda);
         search.allowOverlaps = mOptions.allowOverlaps;
         search.clusters = first == FirstMaps::Clusters;
-        if (effort)
+        if (effort) {
             search.effort = *effort;
-        else if (first == FirstMaps::Usual)
+        } else if (first == FirstMaps::Usual) {
             search.effort = effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
-        else
+            if (isDraft() && mOptions.coarse)
+                search.effort.rounds.back().moves = coarseMoves;
+        } else {
             search.effort = clusterEffort;
-        if (isDraft() && mOptions.coarse && first == FirstMaps::Usual)
-            search.effort.rounds.back().moves = coarseMoves;
+        }
         search.seed = mSnapshot.settings.seed;
         search.job = mJob;
         const bool steers = !symmetry && hasDecidedEdges();
