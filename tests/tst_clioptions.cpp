@@ -61,7 +61,7 @@ private Q_SLOTS:
         QCOMPARE(o.settings.visibility, 0.0);
         QCOMPARE(o.settings.symmetry, SymmetryMode::Auto);
         QCOMPARE(o.settings.align, SolveSettings().align);
-        QVERIFY(!o.settings.mirrorMaps && o.settings.worldUp == WorldUp::Off);
+        QVERIFY(!o.settings.mirrorMaps && o.settings.worldUp == WorldUp::AutoY);
         QCOMPARE(o.settings.seams, SeamMode::Free);
         QVERIFY((o.settings.givenSeams == GivenSeamOptions{.cuts = true, .map = true}));
         QVERIFY(o.only.isEmpty() && o.borderAttached);

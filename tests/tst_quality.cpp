@@ -210,7 +210,8 @@ private:
     static UvMatrix unwrapped(const std::shared_ptr<const MeshData> &mesh, UnwrapQuality quality)
     {
         Snapshot snapshot;
-        snapshot.settings.flat = FlatMode::Free; // tst_rigid judges the rigid ones
+        snapshot.settings.flat = FlatMode::Free;  // tst_rigid judges the rigid ones
+        snapshot.settings.worldUp = WorldUp::Off; // tst_upright those that stand
         snapshot.mesh = mesh;
         UnwrapOptions options;
         options.maxDistortion = maxDistortion;

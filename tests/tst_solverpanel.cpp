@@ -276,7 +276,7 @@ private Q_SLOTS:
         auto *const up = child<QComboBox>(bench.panel, "worldUp");
         up->setFocus();
         QTest::keyClick(up, Qt::Key_End);
-        QCOMPARE(bench.settings().worldUp, WorldUp::Z);
+        QCOMPARE(bench.settings().worldUp, WorldUp::AutoZ);
         auto *const surface = child<QComboBox>(bench.panel, "surface");
         surface->setFocus();
         QTest::keyClick(surface, Qt::Key_Down);

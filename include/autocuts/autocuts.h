@@ -137,7 +137,13 @@ typedef enum autocuts_seam_source {
     AUTOCUTS_SEAMS_FROM_MATERIALS = 16 /* edges between two materials */
 } autocuts_seam_source;
 
-typedef enum autocuts_axis { AUTOCUTS_AXIS_NONE = 0, AUTOCUTS_AXIS_Y = 1, AUTOCUTS_AXIS_Z = 2 } autocuts_axis;
+typedef enum autocuts_axis {
+    AUTOCUTS_AXIS_NONE = 0,
+    AUTOCUTS_AXIS_Y = 1,
+    AUTOCUTS_AXIS_Z = 2,
+    AUTOCUTS_AXIS_AUTO_Y = 3, /* where that costs at most 5 % of the texel density */
+    AUTOCUTS_AXIS_AUTO_Z = 4
+} autocuts_axis;
 
 /* How packing may turn islands: not at all, freely, or by multiples of so many degrees. */
 typedef enum autocuts_rotation {

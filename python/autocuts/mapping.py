@@ -44,8 +44,8 @@ def unwrap(positions, faces=None, *, progress=None, better=None, **options):
     Options, with the names and defaults of autocuts-cli: quality ("draft", "standard", "best"), max_distortion (above 4),
     seams ("free", "keep", "only"), seams_from (of "cuts", "uv", "sharp", "hard", "materials"), sharp_angle (degrees),
     surface ("auto", "organic", "hard-surface"), flat ("rigid", "free"), alike ("off", "same-cuts", "stack"), creases,
-    align and symmetry ("off", "auto", "on"), crease_strength, visibility, mirror, world_up ("-", "y", "z"), texture_size
-    (texels, one number or two), margin, tile_border (texels), rotation ("none", "free", 15, 30, 45, 90, 180), keep_scale,
+    align and symmetry ("off", "auto", "on"), crease_strength, visibility, mirror, world_up ("-", "y", "z", "auto-y",
+    "auto-z"), texture_size (texels, one number or two), margin, tile_border (texels), rotation ("none", "free", 15, 30, 45, 90, 180), keep_scale,
     pack_time (seconds), density (texels per unit, in as many UDIM tiles as that needs), threads.
 
     Raises ValueError for a mesh or an option that cannot be used, RuntimeError where the margins leave no room.

@@ -12,7 +12,7 @@ _WORDS = {
     "creases": _SWITCH,
     "align": _SWITCH,
     "symmetry": {"off": 0, "auto": 2, "on": 1, False: 0, True: 1},
-    "world_up": {"-": 0, "y": 1, "z": 2},
+    "world_up": {"-": 0, "y": 1, "z": 2, "auto-y": 3, "auto-z": 4},
     "rotation": {"none": 0, "free": 1, 15: 15, 30: 30, 45: 45, 90: 90, 180: 180},
     "cage_direction": {"smooth": 0, "shading": 1, "corrected": 2},
 }

@@ -6715,6 +6715,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>%1. Pins or locks hold faces on each other: remove some of them</source>
         <translation>%1. Pins oder Sperren halten Flächen aufeinander: entfernen Sie einige davon</translation>
     </message>
+    <message>
+        <source>, islands upright</source>
+        <translation>, Inseln aufrecht</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>
@@ -9688,10 +9692,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Oben in der Map</translation>
     </message>
     <message>
-        <source>Turns islands so that this direction is up; they are packed as they stand</source>
-        <translation>Dreht Inseln so, dass diese Richtung oben ist; sie werden gepackt, wie sie stehen</translation>
-    </message>
-    <message>
         <source>Draft</source>
         <translation>Entwurf</translation>
     </message>
@@ -9794,6 +9794,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Whether both sides of a symmetric model are cut alike. If cheap: Unwrap does so on curved models where its seams hardly become longer, and symmetric seams stay symmetric</source>
         <translation>Ob beide Seiten eines symmetrischen Modells gleich geschnitten werden. Wenn billig: Abwickeln tut es bei gekrümmten Modellen, wo die Nähte kaum länger werden, und symmetrische Nähte bleiben symmetrisch</translation>
+    </message>
+    <message>
+        <source>Y if cheap</source>
+        <translation>Y, wenn billig</translation>
+    </message>
+    <message>
+        <source>Z if cheap</source>
+        <translation>Z, wenn billig</translation>
+    </message>
+    <message>
+        <source>Turns islands so that this direction is up; they are packed as they stand. If cheap: an unwrap does so where it costs at most 5 % of the texel density</source>
+        <translation>Dreht Inseln so, dass diese Richtung oben ist; sie werden gepackt, wie sie stehen. Wenn billig: Abwickeln tut es, wo es höchstens 5 % der Texeldichte kostet</translation>
     </message>
 </context>
 <context>

@@ -82,7 +82,7 @@ SolveSettings settingsOf(const autocuts_options &options)
 {
     static_assert(int(SurfaceKind::HardSurface) == AUTOCUTS_SURFACE_HARD &&
                   int(AlikeMode::Stack) == AUTOCUTS_ALIKE_STACK && int(CreaseMode::On) == AUTOCUTS_ON &&
-                  int(SeamMode::Only) == AUTOCUTS_SEAMS_ONLY && int(WorldUp::Z) == AUTOCUTS_AXIS_Z);
+                  int(SeamMode::Only) == AUTOCUTS_SEAMS_ONLY && int(WorldUp::AutoZ) == AUTOCUTS_AXIS_AUTO_Z);
     SolveSettings settings;
     if (!(options.max_distortion > 4 && options.max_distortion <= SolveSettings::maxBound))
         throw badInput("the bound on the distortion is not above 4", "4.1 is usual");
@@ -96,7 +96,7 @@ SolveSettings settingsOf(const autocuts_options &options)
     settings.symmetry = symmetryOf(options.symmetry);
     settings.mirrorMaps = options.mirror != 0;
     settings.align = valueOf(options.align, CreaseMode::On, "choice for aligning");
-    settings.worldUp = valueOf(options.world_up, WorldUp::Z, "axis");
+    settings.worldUp = valueOf(options.world_up, WorldUp::AutoZ, "axis");
     settings.seams = valueOf(options.seams, SeamMode::Only, "choice of seams");
     if (!(options.sharp_angle >= 0 && options.sharp_angle <= 180))
         throw badInput("the angle of sharp edges is not from 0 to 180 degrees");

@@ -101,6 +101,7 @@ void autocuts_options_init(autocuts_options *options)
     options->visibility = settings.visibility;
     options->symmetry = AUTOCUTS_SYMMETRY_AUTO;
     options->align = static_cast<int>(settings.align);
+    options->world_up = static_cast<int>(settings.worldUp);
     options->texture_width = packing.textureSize;
     options->texture_height = packing.height();
     options->margin = packing.margin;

@@ -149,7 +149,7 @@ std::vector<CliOption> solvingOptions()
              "mesh mirror images of each other; --symmetry makes cuts that allow it"_s),
         choice(group, u"--world-up"_s, fieldOf(&SolveSettings::worldUp),
                u"turn islands so that this direction of the model is up in the map; they are packed as they "
-               "stand"_s),
+               "stand; auto-y and auto-z do so where it costs at most 5 % of the texel density"_s),
         flag(group, u"--allow-overlaps"_s, fieldOf(&unwrap::UnwrapOptions::allowOverlaps), true,
              u"do not cut islands that overlap themselves"_s),
         flag(group, u"--no-pack"_s, fieldOf(&unwrap::UnwrapOptions::pack), false,

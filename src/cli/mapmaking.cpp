@@ -101,6 +101,8 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
         outcome.notes << recognised(result.hardShare);
     outcome.lambda = result.lambda;
     outcome.delta = result.delta;
+    if (result.upright)
+        outcome.notes << QStringLiteral("the islands stand upright (--world-up - lets them turn)");
     if (result.symmetry && mOptions.settings.symmetry == SymmetryMode::Auto)
         outcome.notes << QStringLiteral(
             "recognised as symmetric: both sides have the same seams (--no-symmetry "

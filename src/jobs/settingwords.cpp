@@ -88,7 +88,11 @@ const Words<CreaseMode> &wordsOf()
 template <>
 const Words<WorldUp> &wordsOf()
 {
-    static const Words<WorldUp> words{{u"-"_s, WorldUp::Off}, {u"y"_s, WorldUp::Y}, {u"z"_s, WorldUp::Z}};
+    static const Words<WorldUp> words{{u"-"_s, WorldUp::Off},
+                                      {u"y"_s, WorldUp::Y},
+                                      {u"z"_s, WorldUp::Z},
+                                      {u"auto-y"_s, WorldUp::AutoY},
+                                      {u"auto-z"_s, WorldUp::AutoZ}};
     return words;
 }
 

@@ -1,6 +1,7 @@
 // Measures the definite map of a live solve: how soon there is a valid map, how soon it is as good as that of
 // an unwrap, and how soon it obeys an edit. Checks every map that is given out. Usage: bench_live MESH...
-// [--threads N] [--seconds N] [--no-unwrap] [--json]
+// [--threads N] [--seconds N] [--no-unwrap] [--no-edits] [--json] [--maps FOLDER: the last map before the
+// edits, as OBJ]
 #include "edgewalk.h"
 
 #include "model/io/meshfile.h"
@@ -125,7 +126,17 @@ private:
     std::vector<MapPtr> mUnchecked;
 };
 
-QJsonObject measured(const std::string &file, int threads, double seconds, bool withUnwrap)
+//! Writes a mesh with a map into a folder, as OBJ.
+void write(Scene scene, const UvMatrix &uv, const QString &folder, const std::string &file)
+{
+    scene.uvSets = {UvSet{u"UVMap"_s, uv}};
+    const auto name = QString::fromStdString(std::filesystem::path(file).stem().string());
+    if (const Result<Done> written = writeMesh(scene, folder + u'/' + name + u".obj"_s); !written)
+        std::fprintf(stderr, "%s\n", qPrintable(written.error().message));
+}
+
+QJsonObject measured(const std::string &file, int threads, double seconds, bool withUnwrap, bool withEdits,
+                     const QString &maps)
 {
     Result<Scene> scene = readMesh(QString::fromStdString(file));
     QJsonObject report;
@@ -174,9 +185,13 @@ QJsonObject measured(const std::string &file, int threads, double seconds, bool 
     report["withinBound"_L1] = within;
     report["asGoodAsUnwrap"_L1] = good;
     report["course"_L1] = course;
+    if (live.map() && !maps.isEmpty())
+        write(scene.value(), live.map()->uv, maps, file);
     if (live.map()) {
         report["seamLength"_L1] = live.map()->seamLength;
         report["distortion"_L1] = live.map()->distortion;
+    }
+    if (live.map() && withEdits) {
         QJsonObject edits;
         const auto all = [&](const std::vector<int> &edges, bool cut) {
             return [edges, cut](const MapPtr &map) {
@@ -245,7 +260,8 @@ int main(int argc, char **argv)
     QCoreApplication application(argc, argv);
     int threads = 2;
     double seconds = 10;
-    bool json = false, withUnwrap = true;
+    bool json = false, withUnwrap = true, withEdits = true;
+    QString maps;
     QJsonArray reports;
     for (int i = 1; i < argc; ++i) {
         const QString argument = QString::fromLocal8Bit(argv[i]);
@@ -253,17 +269,21 @@ int main(int argc, char **argv)
             threads = std::atoi(argv[++i]);
         else if (argument == "--seconds"_L1 && i + 1 < argc)
             seconds = std::atof(argv[++i]);
+        else if (argument == "--maps"_L1 && i + 1 < argc)
+            maps = QString::fromLocal8Bit(argv[++i]);
         else if (argument == "--json"_L1)
             json = true;
         else if (argument == "--no-unwrap"_L1)
             withUnwrap = false;
+        else if (argument == "--no-edits"_L1)
+            withEdits = false;
     }
     for (int i = 1; i < argc; ++i) {
         const QByteArray argument = argv[i];
-        if (argument == "--threads" || argument == "--seconds")
+        if (argument == "--threads" || argument == "--seconds" || argument == "--maps")
             ++i;
-        else if (argument != "--json" && argument != "--no-unwrap") {
-            const QJsonObject report = measured(argv[i], threads, seconds, withUnwrap);
+        else if (argument != "--json" && argument != "--no-unwrap" && argument != "--no-edits") {
+            const QJsonObject report = measured(argv[i], threads, seconds, withUnwrap, withEdits, maps);
             reports.append(report);
             if (!json) {
                 QJsonObject brief = report;

@@ -82,7 +82,12 @@ SOLVING = {
         "Align",
     ),
     "mirror": _flag("Make the maps of symmetric islands symmetric", "Mirror"),
-    "world_up": _choice("- y z", "-", "Turn islands so that this direction of the model is up in the map", "World up"),
+    "world_up": _choice(
+        "- y z auto-y auto-z",
+        "auto-z",
+        "Turn islands so that this direction of the model is up in the map; auto: where that hardly costs texel density",
+        "World up",
+    ),
     "allow_overlaps": _flag("Do not cut islands that overlap themselves", "Allow overlaps"),
     "no_pack": _flag("Leave the islands where the solver put them", "Do not pack"),
 }
@@ -219,6 +224,10 @@ BAKE = {**BAKING, **TEXTURE}
 ALL = {**UNWRAP, **PACK, **SEPARATE, **BAKE, **TAKING}
 
 
+# Their defaults are not those of the command line: in Blender z is up.
+OWN_DEFAULTS = {"world_up"}
+
+
 def word_of(name):
     """The name of an option on the command line, with _ in place of -."""
     return name.rstrip("_")
@@ -247,11 +256,12 @@ def _listed(owner, name):
 
 
 def given(owner, names):
-    """The options that differ from their defaults, as for a Request."""
+    """The options that differ from the defaults of the command line, as for a Request."""
     options = {}
     for name in names:
         value = value_of(owner, name)
-        if value == default_of(name) or name in ("seams_from", "sharp_angle"):
+        is_default = value == default_of(name) and name not in OWN_DEFAULTS
+        if is_default or name in ("seams_from", "sharp_angle"):
             continue
         options[word_of(name)] = _listed(owner, name) if isinstance(value, set) else value
     if "seams_from" in names and owner.seams != "free":

@@ -284,7 +284,7 @@ SolveSettings readSolveSettings(CborReader &reader)
          [&] { return reader.enumerator("symmetricSeams"_L1, SymmetryMode::On); });
     read("align"_L1, settings.align, [&] { return reader.enumerator("align"_L1, CreaseMode::On); });
     read("mirrorMaps"_L1, settings.mirrorMaps, [&] { return reader.boolean("mirrorMaps"_L1); });
-    read("worldUp"_L1, settings.worldUp, [&] { return reader.enumerator("worldUp"_L1, WorldUp::Z); });
+    read("worldUp"_L1, settings.worldUp, [&] { return reader.enumerator("worldUp"_L1, WorldUp::AutoZ); });
     read("seams"_L1, settings.seams, [&] { return reader.enumerator("seams"_L1, SeamMode::Only); });
     if (reader.contains("givenSeams"_L1)) {
         CborReader given(reader.map("givenSeams"_L1));

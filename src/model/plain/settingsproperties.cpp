@@ -54,7 +54,7 @@ bool isValid(const SolveSettings &settings)
            inRange(settings.start, StartMode::ExistingUv) && inRange(settings.solver, SolverKind::Exact) &&
            inRange(settings.creases, CreaseMode::On) && inRange(settings.creaseStrength, 1.0) &&
            inRange(settings.visibility, 1.0) && inRange(settings.align, CreaseMode::On) &&
-           inRange(settings.worldUp, WorldUp::Z) && inRange(settings.flat, FlatMode::Free) &&
+           inRange(settings.worldUp, WorldUp::AutoZ) && inRange(settings.flat, FlatMode::Free) &&
            inRange(settings.surface, SurfaceKind::HardSurface) && inRange(settings.alike, AlikeMode::Stack) &&
            inRange(settings.seams, SeamMode::Only) && inRange(settings.givenSeams.sharpAngle, 180.0);
 }

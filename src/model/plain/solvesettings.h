@@ -20,8 +20,9 @@ enum class AlikeMode { Off, SameCuts, Stack };
 //! Whether both sides of a symmetric model get the same seams in automatic maps. Auto: where they hardly cost
 //! more, see unwrap/symmetricseams.h. On: wherever the model is symmetric.
 enum class SymmetryMode { Off, Auto, On };
-//! The direction of the model that is up in the map; Off: any.
-enum class WorldUp { Off, Y, Z };
+//! The direction of the model that is up in the map. Off: any. AutoY, AutoZ: an unwrap turns islands so where
+//! that hardly costs texel density, see unwrap/layingout.h; other jobs leave them as they are.
+enum class WorldUp { Off, Y, Z, AutoY, AutoZ };
 //! Whose seams. Free: the search's. Keep: the given ones stay, and the search adds what the bound needs.
 //! Only: exactly the given ones.
 enum class SeamMode { Free, Keep, Only };
@@ -69,7 +70,7 @@ struct SolveSettings
     //! parts that are hard surfaces.
     CreaseMode align = CreaseMode::Off;
     bool mirrorMaps = false;          //!< symmetric islands get symmetric maps, mirrored ones mirrored maps
-    WorldUp worldUp = WorldUp::Off;   //!< islands are turned so that this direction of the model is up
+    WorldUp worldUp = WorldUp::AutoY; //!< islands are turned so that this direction of the model is up
     SeamMode seams = SeamMode::Free;  //!< the given seams are Steering::givenSeams
     GivenSeamOptions givenSeams = {}; //!< where they come from; no matter for SeamMode::Free
 

@@ -301,8 +301,9 @@ private:
 StraightPlan StraightPlan::of(const Snapshot &snapshot)
 {
     const SolveSettings &settings = snapshot.settings;
-    return {preference::alignedParts(settings, *snapshot.mesh), settings.mirrorMaps, settings.worldUp,
-            !snapshot.steering->straightLoops.empty()};
+    const bool turns = settings.worldUp == WorldUp::Y || settings.worldUp == WorldUp::Z;
+    return {preference::alignedParts(settings, *snapshot.mesh), settings.mirrorMaps,
+            turns ? settings.worldUp : WorldUp::Off, !snapshot.steering->straightLoops.empty()};
 }
 
 double StraightPlan::searchBound(double maxDistortion) const

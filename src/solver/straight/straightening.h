@@ -15,7 +15,7 @@ struct StraightPlan
 {
     std::vector<bool> aligned; //!< per connected component, see SolveSettings::align; empty: none
     bool mirror = false;       //!< see SolveSettings::mirrorMaps
-    WorldUp up = WorldUp::Off; //!< see SolveSettings::worldUp
+    WorldUp up = WorldUp::Off; //!< see SolveSettings::worldUp; AutoY and AutoZ count as Off
     bool loops = false;        //!< the user has chosen edge loops
 
     static StraightPlan of(const Snapshot &snapshot);

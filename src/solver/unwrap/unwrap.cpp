@@ -3,17 +3,14 @@
 #include "model/plain/uvlayout.h"
 #include "solver/base/timelimit.h"
 #include "solver/definite/refinedmap.h"
-#include "solver/definite/seamopening.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/preference/seampreference.h"
 #include "solver/preference/surfacekind.h"
 #include "solver/straight/necks.h"
 #include "solver/straight/straightening.h"
-#include "solver/unwrap/alikestacks.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
-#include "solver/unwrap/keptorientation.h"
-#include "solver/unwrap/keptscale.h"
+#include "solver/unwrap/layingout.h"
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/rectanglefit.h"
@@ -37,25 +34,14 @@ constexpr std::chrono::milliseconds restBeforeFirstMap{1000};
 constexpr auto timeAfterStop = std::chrono::milliseconds(100);
 constexpr auto timeOfShownMap = std::chrono::milliseconds(400);
 
-//! Moves and scales the map into the first tile of the texture.
-void fitFirstTile(UvMatrix &uv, double tileHeight)
-{
-    const Eigen::RowVector2d low = uv.colwise().minCoeff();
-    const Eigen::RowVector2d high = uv.colwise().maxCoeff();
-    const Eigen::RowVector2d size = high - low;
-    const double side = std::max(size.x(), size.y() / tileHeight);
-    uv.rowwise() -= low;
-    if (side > 0)
-        uv /= side;
-}
-
 //! Makes the result of an unwrap from the map that was found.
 class ResultMaker
 {
 public:
     ResultMaker(const Snapshot &snapshot, const FreePart &part, const straight::StraightPlan &plan,
                 const UnwrapOptions &options)
-        : mSnapshot(snapshot), mPart(part), mPlan(plan), mOptions(options)
+        : mSnapshot(snapshot), mPart(part), mPlan(plan), mOptions(options),
+          mLayingOut(snapshot, part, plan, options)
     {}
 
     UnwrapResult resultOf(Candidate found, PackHurry hurry, const JobContext &job) const
@@ -75,7 +61,7 @@ public:
                              found.distortion <= mOptions.maxDistortion;
         if (mOptions.pack)
             fitToRectangles(mPart, soup, found.map, job);
-        place(*soup, found.map, hurry, job, result);
+        mLayingOut.place(*soup, found.map, hurry, job, result);
         result.unmet = unmetSteering(mSnapshot, result.uv);
         return result;
     }
@@ -138,50 +124,11 @@ private:
         }
     }
 
-    //! Places the islands. Sets result.uv and result.packed.
-    void place(const Soup &soup, const SeamedMap &map, PackHurry hurry, const JobContext &job,
-               UnwrapResult &result) const
-    {
-        const Snapshot &own = mPart.snapshot();
-        // True when some islands are where they belong. Otherwise packing finds the scale.
-        const bool stays = !mPart.isWhole() || mSnapshot.placesIslands();
-        UvMatrix uv = (stays ? own.uvScale : 1) * cornerUv(soup, map);
-        definite::openCuts(own, uv);
-        result.uv = mPart.wholeUv(uv);
-        if (mOptions.pack) {
-            const ChartMap charts = mPart.wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, map.cut)));
-            packing::PackOptions settings = mOptions.packing;
-            if (mOptions.quality == UnwrapQuality::Draft)
-                settings.effort = std::min(settings.effort, packing::hurriedEffort);
-            PackJob pack = steeredPackJob(mSnapshot, settings);
-            pack.keepScaleIfPossible = stays;
-            pack.fillRectangles = onlyRectangles(pack);
-            pack.hurry = hurry;
-            const bool keepsScale = settings.keepScale && mSnapshot.uv;
-            pack.options.keepScale = false; // where there is no room, all islands become smaller
-            if (keepsScale) {
-                keepScales(mSnapshot, charts, pack, mPart.unit() * layoutScale(*own.mesh, uv), result.uv);
-                pack.keepScaleIfPossible = true;
-                pack.density = packing::DensityBasis::Given;
-            }
-            if (mSnapshot.uv && mPlan.isEmpty())
-                keepOrientations(*mSnapshot.mesh, charts, pack, *mSnapshot.uv, result.uv);
-            if (mSnapshot.settings.alike == AlikeMode::Stack) {
-                stackAlike(*mSnapshot.mesh, charts, pack, result.uv);
-                result.flags = pack.faceFlags;
-            }
-            const double size = layoutScale(*mSnapshot.mesh, result.uv);
-            result.packed = packCharts(*mSnapshot.mesh, charts, pack, result.uv, job);
-            result.madeSmaller = keepsScale && isSmaller(*mSnapshot.mesh, result.uv, size);
-        }
-        if (!result.packed && !stays)
-            fitFirstTile(result.uv, mOptions.packing.tileHeight());
-    }
-
     const Snapshot &mSnapshot;
     const FreePart &mPart;
     const straight::StraightPlan &mPlan;
     const UnwrapOptions &mOptions;
+    const LayingOut mLayingOut;
 };
 
 //! Where alike islands are stacked, stacks are made anew: those that there are may change.

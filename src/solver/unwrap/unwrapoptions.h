@@ -54,6 +54,7 @@ struct UnwrapResult
     std::optional<bool> straight;
     //! Per face: the flags of the islands, with the stacks of AlikeMode::Stack. Empty: they stay.
     std::vector<IslandFlags> flags;
+    bool upright = false;     //!< the islands were turned as WorldUp::AutoY or AutoZ asks
     bool packed = false;      //!< false when packing was not asked for or there is no room
     bool madeSmaller = false; //!< islands should keep their scale, and there was no room for them
     //! Some of the map stays, by locks, pins, stacks or hidden faces, and no better one was found for the

@@ -253,6 +253,8 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         : made.stopped     ? JobTexts::tr("Unwrapping ended early, with the best map so far: distortion %1")
                              .arg(fixedText(distortion, 4))
                        : JobTexts::tr("Unwrapped: distortion %1").arg(fixedText(distortion, 4));
+    if (made.upright)
+        result.message += JobTexts::tr(", islands upright");
     sayStraight(made.stopped, made.straight, result);
     if (!made.packed)
         result.problem = noRoom(input.packing);

@@ -39,7 +39,9 @@ UnwrapForm::UnwrapForm(QWidget *parent)
       mUp(makeChoice("worldUp"_L1, &SolveSettings::worldUp,
                      {{tr("Any direction"), WorldUp::Off},
                       {tr("Y of the model"), WorldUp::Y},
-                      {tr("Z of the model"), WorldUp::Z}})),
+                      {tr("Z of the model"), WorldUp::Z},
+                      {tr("Y if cheap"), WorldUp::AutoY},
+                      {tr("Z if cheap"), WorldUp::AutoZ}})),
       mQuality(new QComboBox)
 {
     mUnwrap->setProperty("primary", true);
@@ -97,8 +99,10 @@ UnwrapForm::UnwrapForm(QWidget *parent)
                         [](SolveSettings &settings, bool on) { settings.mirrorMaps = on; });
     for (QCheckBox *box : {mFlat, mHidden, mSharp, mAlign, mMirror})
         form->addRow(box);
-    addRow(form, tr("Up in the map"), mUp,
-           tr("Turns islands so that this direction is up; they are packed as they stand"));
+    addRow(
+        form, tr("Up in the map"), mUp,
+        tr("Turns islands so that this direction is up; they are packed as they stand. If cheap: an unwrap "
+           "does so where it costs at most 5 % of the texel density"));
     mQuality->setObjectName("quality"_L1);
     mQuality->addItem(tr("Draft"), int(unwrap::UnwrapQuality::Draft));
     mQuality->addItem(tr("Standard"), int(unwrap::UnwrapQuality::Standard));
