@@ -21,7 +21,7 @@ enum class AlikeMode { Off, SameCuts, Stack };
 //! more, see unwrap/symmetricseams.h. On: wherever the model is symmetric.
 enum class SymmetryMode { Off, Auto, On };
 //! The direction of the model that is up in the map. Off: any. AutoY, AutoZ: an unwrap turns islands so where
-//! that hardly costs texel density, see unwrap/layingout.h; other jobs leave them as they are.
+//! that hardly costs texel density, see unwrap/unwrapplacing.h; other jobs leave them as they are.
 enum class WorldUp { Off, Y, Z, AutoY, AutoZ };
 //! Whose seams. Free: the search's. Keep: the given ones stay, and the search adds what the bound needs.
 //! Only: exactly the given ones.

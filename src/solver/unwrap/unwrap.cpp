@@ -10,11 +10,11 @@
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
-#include "solver/unwrap/layingout.h"
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/rectanglefit.h"
 #include "solver/unwrap/standingmap.h"
+#include "solver/unwrap/unwrapplacing.h"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ public:
     ResultMaker(const Snapshot &snapshot, const FreePart &part, const straight::StraightPlan &plan,
                 const UnwrapOptions &options)
         : mSnapshot(snapshot), mPart(part), mPlan(plan), mOptions(options),
-          mLayingOut(snapshot, part, plan, options)
+          mPlacing(snapshot, part, plan, options)
     {}
 
     UnwrapResult resultOf(Candidate found, PackHurry hurry, const JobContext &job) const
@@ -61,7 +61,7 @@ public:
                              found.distortion <= mOptions.maxDistortion;
         if (mOptions.pack)
             fitToRectangles(mPart, soup, found.map, job);
-        mLayingOut.place(*soup, found.map, hurry, job, result);
+        mPlacing.place(*soup, found.map, hurry, job, result);
         result.unmet = unmetSteering(mSnapshot, result.uv);
         return result;
     }
@@ -128,7 +128,7 @@ private:
     const FreePart &mPart;
     const straight::StraightPlan &mPlan;
     const UnwrapOptions &mOptions;
-    const LayingOut mLayingOut;
+    const UnwrapPlacing mPlacing;
 };
 
 //! Where alike islands are stacked, stacks are made anew: those that there are may change.

@@ -12,12 +12,12 @@ namespace autocuts::unwrap {
 //! and nothing else that says how islands lie, they are packed a second time: turned
 //! so that the direction is up, see straight/upright.h. That layout is taken where it costs at most 5 % of
 //! the texel density.
-class LayingOut
+class UnwrapPlacing
 {
 public:
     //! \param snapshot the whole mesh \param part of it, to which maps belong. All must outlive this.
-    LayingOut(const Snapshot &snapshot, const FreePart &part, const straight::StraightPlan &plan,
-              const UnwrapOptions &options)
+    UnwrapPlacing(const Snapshot &snapshot, const FreePart &part, const straight::StraightPlan &plan,
+                  const UnwrapOptions &options)
         : mSnapshot(snapshot), mPart(part), mPlan(plan), mOptions(options)
     {}
 
