@@ -123,6 +123,25 @@ constexpr double hopefulTrial = 1.15;
 //! progress depends on.
 constexpr double freeShare = 0.7, trialShare = 0.8;
 
+bool isPartlyRigid(const Snapshot &snapshot)
+{
+    return snapshot.rigid && snapshot.rigid->share >= hardlyRigid;
+}
+
+bool hasDecidedEdges(const Snapshot &snapshot)
+{
+    return std::ranges::any_of(snapshot.steering->pairState,
+                               [](PairState state) { return state != PairState::Free; });
+}
+
+//! True when neither a map nor steering is given.
+bool isUnsteered(const Snapshot &snapshot)
+{
+    return snapshot.settings.start != StartMode::ExistingUv && snapshot.steering->pins.empty() &&
+           snapshot.settings.seams != SeamMode::Keep && !snapshot.placesIslands() &&
+           !hasDecidedEdges(snapshot);
+}
+
 //! The maps that the seam search starts from.
 enum class FirstMaps {
     Usual,
@@ -177,8 +196,8 @@ private:
         if (mJob.stopped() || (best && isWithinBound(*best)))
             return best;
         if (suitsClusters() || suitsClusterNets()) {
-            mFromClusters =
-                bySearch({}, nullptr, isPartlyRigid() ? FirstMaps::ClusterNets : FirstMaps::Clusters);
+            mFromClusters = bySearch({}, nullptr,
+                                     isPartlyRigid(mSnapshot) ? FirstMaps::ClusterNets : FirstMaps::Clusters);
             if (mJob.stopped() || (isDraft() && mFromClusters && isWithinBound(*mFromClusters)))
                 return mFromClusters;
         }
@@ -192,7 +211,7 @@ private:
             best = bySoup(UnwrapQuality::Draft);
         }
         std::optional<Candidate> searched = bySearch(best, nullptr);
-        if (isPartlyRigid() && searched && isWithinBound(*searched))
+        if (isPartlyRigid(mSnapshot) && searched && isWithinBound(*searched))
             best = std::move(searched); // in the map of the soup, rigid regions bend
         else
             keepBetter(best, std::move(searched));
@@ -232,26 +251,16 @@ private:
     //! Standard has not been measured.
     bool suitsClusters() const
     {
-        return isDraft() && isFree() && !isPartlyRigid() &&
+        return isDraft() && !mOptions.lambda && isUnsteered(mSnapshot) && !isPartlyRigid(mSnapshot) &&
                mSnapshot.mesh->triangleCount() > fullEffortTriangles && !isTangled(*mSnapshot.mesh) &&
                hasPartWithMore(manyBorders - 1, manyHandles - 1, *mSnapshot.mesh);
     }
 
     //! True when a draft starts from clusters and rigid regions, and the other qualities also from the map
     //! that a draft makes of these.
-    bool suitsClusterNets() const
-    {
-        return isFree() && isPartlyRigid() && startsFromSoup(mSnapshot, UnwrapQuality::Standard);
-    }
+    bool suitsClusterNets() const { return !mOptions.lambda && startsFromClusterNets(mSnapshot); }
 
     bool isDraft() const { return mOptions.quality == UnwrapQuality::Draft; }
-
-    //! True when neither a balance nor a map nor steering is given.
-    bool isFree() const
-    {
-        return !mOptions.lambda && mSnapshot.settings.start != StartMode::ExistingUv && !mBefore &&
-               !mSnapshot.placesIslands() && !hasDecidedEdges();
-    }
 
     //! The map without seams, when the bound allows it.
     std::optional<Candidate> withoutSeams()
@@ -295,7 +304,7 @@ private:
         }
         search.seed = mSnapshot.settings.seed;
         search.job = mJob;
-        const bool steers = !symmetry && hasDecidedEdges();
+        const bool steers = !symmetry && hasDecidedEdges(mSnapshot);
         const bool isBest = mOptions.quality == UnwrapQuality::Best && !effort;
         const int searches = 1 + steers + isBest;
         int begun = 0;
@@ -373,17 +382,8 @@ private:
         return measures;
     }
 
-    bool isPartlyRigid() const { return mSnapshot.rigid && mSnapshot.rigid->share >= hardlyRigid; }
-
     //! Of a map whose rigid regions have settled: in those, the stiffness of the search counts for nothing.
     bool isWithinBound(const Candidate &found) const { return found.distortion <= mOptions.maxDistortion; }
-
-    bool hasDecidedEdges() const
-    {
-        const std::vector<PairState> &states = mSnapshot.steering->pairState;
-        return std::any_of(states.begin(), states.end(),
-                           [](PairState state) { return state != PairState::Free; });
-    }
 
     //! A map made without the user's cuts and joins, then changed to obey them. Joins leave few first cuts to
     //! choose from; this map usually has shorter seams.
@@ -405,8 +405,8 @@ private:
     {
         UnwrapOptions how = mOptions;
         how.quality = quality;
-        const bool hurried =
-            mOptions.quality == UnwrapQuality::Draft || (quality == UnwrapQuality::Draft && isPartlyRigid());
+        const bool hurried = mOptions.quality == UnwrapQuality::Draft ||
+                             (quality == UnwrapQuality::Draft && isPartlyRigid(mSnapshot));
         std::optional<Candidate> best = bySoupChains(mSnapshot, how, hurried, mRanking, mJob, mIterations);
         if (best && mSnapshot.placesIslands()) {
             best->anchorFaults =
@@ -466,6 +466,12 @@ std::optional<Candidate> searchMap(std::shared_ptr<const Soup> soup, const Snaps
     std::optional<Candidate> best = search.find(symmetry);
     iterations += search.iterations();
     return best;
+}
+
+bool startsFromClusterNets(const Snapshot &snapshot)
+{
+    return isUnsteered(snapshot) && isPartlyRigid(snapshot) &&
+           startsFromSoup(snapshot, UnwrapQuality::Standard);
 }
 
 std::optional<SeamedMap> soupStart(const Snapshot &snapshot, const UnwrapOptions &options,

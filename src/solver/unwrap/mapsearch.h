@@ -30,6 +30,10 @@ struct WishedSymmetry
                                                  const JobContext &job, const WishedSymmetry &symmetry,
                                                  int &iterations);
 
+//! True when a draft starts from clusters and rigid regions joined to nets, and the other qualities also from
+//! the map of that draft. \param snapshot with the preferences in its weights
+[[nodiscard]] bool startsFromClusterNets(const Snapshot &snapshot);
+
 //! A map of the soup, where the surface is such that an unwrap in standard quality starts from one; otherwise
 //! nothing. \param snapshot with the preferences in its weights
 [[nodiscard]] std::optional<SeamedMap> soupStart(const Snapshot &snapshot, const UnwrapOptions &options,
