@@ -22,9 +22,6 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr int picturesPerSolve = 60; //!< that are looked at, unless it rests before
-constexpr int latestPause = 60;      //!< picture of a solve
-
 //! Pauses per mesh. $AUTOCUTS_PAUSES asks for more of them, $AUTOCUTS_PAUSE_MESHES for further meshes, and
 //! $AUTOCUTS_PAUSE_FOLDER for the maps, to be measured by another program.
 int pauses()
@@ -78,14 +75,11 @@ private Q_SLOTS:
                                 .arg(figures.flipped)
                                 .arg(figures.overlapPairs);
         });
-        const auto looksOn = [&] {
-            const int enough = seen + picturesPerSolve;
-            return QTest::qWaitFor([&] { return seen > enough || !solver.isRunning(); }, test::patience);
-        };
         solver.run();
-        QVERIFY(looksOn() && seen > 0);
+        QVERIFY(QTest::qWaitFor([&] { return seen > 0; }, test::patience));
+        QTest::qWait(3000);
         solver.restart();
-        QVERIFY(looksOn());
+        QTest::qWait(3000);
         QVERIFY2(problems.isEmpty(), qPrintable(problems.join(u'\n')));
     }
     //! Begins anew every time; some edges are cut in every second run.
@@ -103,16 +97,10 @@ private Q_SLOTS:
         Document &document = *workspace.document();
         Random random(1);
         QStringList problems;
-        int seen = 0;
-        connect(&shown, &ShownMap::changed, this, [&] { ++seen; });
-        const auto looksOn = [&](int pictures) {
-            const int enough = seen + pictures;
-            return QTest::qWaitFor([&] { return seen >= enough || !solver.isRunning(); }, test::patience);
-        };
         for (int i = 0; i < pauses(); ++i) {
             solver.restart();
-            const int pictures = static_cast<int>(random.uniform() * random.uniform() * latestPause);
-            QVERIFY(looksOn(pictures / 2));
+            const int wait = static_cast<int>(random.uniform() * random.uniform() * 12'000);
+            QTest::qWait(wait / 2);
             if (i % 2) {
                 const int pair =
                     static_cast<int>(random.uniform() * document.mesh().cornerPairCount()) / 2 * 2;
@@ -121,7 +109,7 @@ private Q_SLOTS:
                 edge.append(pair + 1);
                 pushCommand(std::make_unique<SetSeamState>(document, SetSeamState::Edit::Cut, edge));
             }
-            QVERIFY(looksOn(pictures - pictures / 2));
+            QTest::qWait(wait / 2);
             const std::shared_ptr<const unwrap::LiveMapResult> before = solver.map();
             QElapsedTimer sincePause;
             sincePause.start();
@@ -129,12 +117,11 @@ private Q_SLOTS:
             QVERIFY(QTest::qWaitFor([&] { return !solver.isPausing(); }, test::patience));
             const qint64 took = sincePause.elapsed();
             const metrics::UvMetrics figures = metrics::measureUv(document.mesh(), document.uv());
-            const QString state =
-                u"after %1 pictures, pause of %2 ms: D %3, seams %4, charts %5"_s.arg(pictures)
-                    .arg(took)
-                    .arg(figures.symDirichlet)
-                    .arg(figures.seamNorm)
-                    .arg(figures.charts);
+            const QString state = u"after %1 ms, pause of %2 ms: D %3, seams %4, charts %5"_s.arg(wait)
+                                      .arg(took)
+                                      .arg(figures.symDirichlet)
+                                      .arg(figures.seamNorm)
+                                      .arg(figures.charts);
             if (pauses() > 3)
                 qInfo("%s", qPrintable(state));
             if (figures.flipped > 0 || figures.overlapPairs > 0)
