@@ -35,7 +35,7 @@ void UnwrapPlacing::place(const Soup &soup, const SeamedMap &map, PackHurry hurr
                           UnwrapResult &result) const
 {
     if (mOptions.pack)
-        pack(soup, map, hurry, job, result);
+        pack(soup, map, MayTurn::AsSet, hurry, job, result);
     else
         result.uv = mPart.wholeUv(partUv(soup, map));
     if (!result.packed && !staysInPlace())
@@ -73,8 +73,8 @@ UvMatrix UnwrapPlacing::partUv(const Soup &soup, const SeamedMap &map) const
     return uv;
 }
 
-void UnwrapPlacing::pack(const Soup &soup, const SeamedMap &map, PackHurry hurry, const JobContext &job,
-                         UnwrapResult &result) const
+void UnwrapPlacing::pack(const Soup &soup, const SeamedMap &map, MayTurn turning, PackHurry hurry,
+                         const JobContext &job, UnwrapResult &result) const
 {
     const MeshData &mesh = *mSnapshot.mesh, &own = *mPart.snapshot().mesh;
     const UvMatrix uv = partUv(soup, map);
@@ -88,7 +88,7 @@ void UnwrapPlacing::pack(const Soup &soup, const SeamedMap &map, PackHurry hurry
     pack.fillRectangles = onlyRectangles(pack);
     pack.hurry = hurry;
     pack.options.keepScale = false; // where there is no room, all islands become smaller
-    if (result.upright)
+    if (turning == MayTurn::No)
         pack.options.rotation = PackRotation::None;
     if (keepsScale()) {
         keepScales(mSnapshot, charts, pack, mPart.unit() * layoutScale(own, uv), result.uv);
@@ -112,7 +112,8 @@ void UnwrapPlacing::turnUpright(const Soup &soup, const SeamedMap &map, const Jo
     const WorldUp up = mSnapshot.settings.worldUp == WorldUp::AutoZ ? WorldUp::Z : WorldUp::Y;
     UnwrapResult upright = result;
     upright.upright = true;
-    pack(soup, straight::turnedUpright(soup, map, up), PackHurry::WhenStopped, job.quiet(), upright);
+    pack(soup, straight::turnedUpright(soup, map, up), MayTurn::No, PackHurry::WhenStopped, job.quiet(),
+         upright);
     const MeshData &mesh = *mSnapshot.mesh;
     if (!job.stopped() && upright.packed &&
         layoutScale(mesh, upright.uv) >= (1 - priceOfUpright) * layoutScale(mesh, result.uv))

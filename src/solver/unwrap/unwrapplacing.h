@@ -26,11 +26,13 @@ public:
                UnwrapResult &result) const;
 
 private:
+    enum class MayTurn { AsSet, No }; // whether packing turns islands
+
     bool staysInPlace() const;
     bool keepsScale() const;
     bool mayTurn() const;
     UvMatrix partUv(const Soup &soup, const SeamedMap &map) const;
-    void pack(const Soup &soup, const SeamedMap &map, PackHurry hurry, const JobContext &job,
+    void pack(const Soup &soup, const SeamedMap &map, MayTurn turning, PackHurry hurry, const JobContext &job,
               UnwrapResult &result) const;
     void turnUpright(const Soup &soup, const SeamedMap &map, const JobContext &job,
                      UnwrapResult &result) const;
