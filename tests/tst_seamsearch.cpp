@@ -280,6 +280,32 @@ private Q_SLOTS:
         QVERIFY(edges(0.1) > edges(1000));
     }
 
+    //! Where charts touch, the borders of each are joined to its own ones.
+    void bordersJoinWithinTheirChart()
+    {
+        constexpr int sides = 12;
+        const auto isCap = [](const MeshData &mesh, int t) {
+            return mesh.faceStart[mesh.triangleFace[t] + 1] - mesh.faceStart[mesh.triangleFace[t]] == sides;
+        };
+        Snapshot column;
+        column.mesh = test::props::column(sides, 1, 1, 8, 8).mesh();
+        const MeshData &mesh = *column.mesh;
+        std::vector<PairState> &states = column.editSteering().pairState;
+        states.assign(mesh.cornerPairCount(), PairState::Free);
+        for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+            const auto [a, b] = mesh.edgePairs[e].triangle;
+            if (isCap(mesh, a) != isCap(mesh, b))
+                states[2 * e] = states[2 * e + 1] = PairState::Cut;
+        }
+        SeedOptions options;
+        options.paths = 0;
+        options.joinBorders = true;
+        const std::vector<char> cut = fewCuts(*graphOf(column), options);
+        const CutMesh charts(mesh, CutFlags(cut.begin(), cut.end()));
+        QCOMPARE(charts.chartCount, 3);
+        QCOMPARE(charts.boundaryLoops().size(), std::size_t(3)); // two around the side without the path
+    }
+
     void chartsFollowTheSeams_data()
     {
         QTest::addColumn<QString>("mesh");

@@ -144,53 +144,89 @@ void openCharts(const SeamGraph &graph, const std::vector<double> &cost, Random 
     }
 }
 
-//! Loops that turn less than this are holes.
-constexpr double holeTurning = -std::numbers::pi;
+//! The boundary loops of the charts of some cuts.
+struct ChartLoops
+{
+    ChartLoops(const SeamGraph &graph, const CutFlags &cut)
+        : state(*graph.soup->mesh, cut), loops(state.boundaryLoops())
+    {}
+
+    int chartOf(std::size_t loop) const { return state.chart[loops[loop].front() / 3]; }
+
+    const CutMesh state;
+    const std::vector<std::vector<int>> loops; //!< sides, see CutMesh::boundaryLoops()
+};
+
+//! What becomes of a loop.
+enum class LoopRole {
+    Joined, //!< paths may end there
+    Joins,  //!< a path begins there
+    Stays
+};
+
+//! Cuts a path within each chart from every loop that joins to the nearest one that is joined already.
+void joinLoops(const SeamGraph &graph, const std::vector<double> &cost, const ChartLoops &of,
+               const std::vector<LoopRole> &role, CutFlags &cut)
+{
+    const std::vector<EdgePair> &pairs = graph.soup->mesh->edgePairs;
+    std::vector<std::vector<std::size_t>> ofChart(of.state.chartCount);
+    for (std::size_t i = 0; i < of.loops.size(); ++i)
+        ofChart[of.chartOf(i)].push_back(i);
+    ShortestPaths paths(graph, cost);
+    std::vector<int> joinedIn(graph.vertexCount, -1); // the last chart on a joined loop of which a vertex is
+    for (int chart = 0; chart < of.state.chartCount; ++chart) {
+        const auto join = [&](std::size_t loop) {
+            for (const int side : of.loops[loop])
+                joinedIn[graph.vertex[side]] = chart;
+        };
+        for (const std::size_t i : ofChart[chart]) {
+            if (role[i] == LoopRole::Joined)
+                join(i);
+        }
+        for (const std::size_t i : ofChart[chart]) {
+            if (role[i] != LoopRole::Joins)
+                continue;
+            // The path may start at any vertex of the loop.
+            std::vector<int> from;
+            for (const int side : of.loops[i])
+                from.push_back(graph.vertex[side]);
+            const int nearest = paths.run(
+                from, Way::Any,
+                [&](int e) {
+                    return of.state.chart[pairs[e].triangle[0]] == chart ||
+                           of.state.chart[pairs[e].triangle[1]] == chart;
+                },
+                [&](int v) { return joinedIn[v] == chart; });
+            if (nearest >= 0)
+                paths.cutPath(nearest, cut);
+            join(i);
+        }
+    }
+}
 
 enum class Loops {
     All,
     Slits //!< those without a border of the mesh
 };
 
-//! Cuts a path from boundary loops of a chart to the nearest loop that is already joined to the longest one
-//! (by number of edges).
+//! Joins the boundary loops of each chart to the longest one (by number of edges), and slits to borders.
 void joinLoops(const SeamGraph &graph, const std::vector<double> &cost, Loops which, CutFlags &cut)
 {
-    const MeshData &mesh = *graph.soup->mesh;
-    const CutMesh state(mesh, cut);
-    std::vector<int> loopOf(graph.vertexCount, -1);
-    const std::vector<std::vector<int>> loops = state.boundaryLoops();
-    std::vector<int> longest(state.chartCount, -1);
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-        int &l = longest[state.chart[loops[i].front() / 3]];
-        if (l < 0 || loops[i].size() > loops[l].size())
+    const ChartLoops of(graph, cut);
+    std::vector<int> longest(of.state.chartCount, -1);
+    for (std::size_t i = 0; i < of.loops.size(); ++i) {
+        int &l = longest[of.chartOf(i)];
+        if (l < 0 || of.loops[i].size() > of.loops[l].size())
             l = static_cast<int>(i);
-        for (const int side : loops[i])
-            loopOf[graph.vertex[side]] = static_cast<int>(i);
-    }
-    std::vector<bool> joined(loops.size(), false);
-    for (int c = 0; c < state.chartCount; ++c) {
-        if (longest[c] >= 0)
-            joined[longest[c]] = true;
     }
     const auto isBorder = [&](int side) { return graph.across[side] < 0; };
-    for (std::size_t i = 0; i < loops.size() && which == Loops::Slits; ++i)
-        joined[i] = joined[i] || std::any_of(loops[i].begin(), loops[i].end(), isBorder);
-    ShortestPaths paths(graph, cost);
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-        if (joined[i])
-            continue;
-        // The path may start at any vertex of the loop.
-        std::vector<int> from;
-        for (const int side : loops[i])
-            from.push_back(graph.vertex[side]);
-        const int nearest = paths.run(
-            from, Way::Any, [](int) { return true; },
-            [&](int v) { return loopOf[v] >= 0 && joined[loopOf[v]]; });
-        joined[i] = true;
-        if (nearest >= 0)
-            paths.cutPath(nearest, cut);
+    std::vector<LoopRole> role;
+    for (std::size_t i = 0; i < of.loops.size(); ++i) {
+        const bool isJoined = longest[of.chartOf(i)] == static_cast<int>(i) ||
+                              (which == Loops::Slits && std::ranges::any_of(of.loops[i], isBorder));
+        role.push_back(isJoined ? LoopRole::Joined : LoopRole::Joins);
     }
+    joinLoops(graph, cost, of, role, cut);
 }
 
 //! By how much the boundary of a chart turns along a loop, on the surface: 2 pi around a disk, 0 at the end
@@ -216,42 +252,28 @@ std::vector<double> turningOf(const SeamGraph &graph, const CutMesh &state,
     return turning;
 }
 
+//! Loops that turn less than this are holes.
+constexpr double holeTurning = -std::numbers::pi;
+
 //! Cuts tubes open: paths within a chart from each loop that is no hole to those that turn most.
 void openTubes(const SeamGraph &graph, const std::vector<double> &cost, CutFlags &cut)
 {
-    const CutMesh state(*graph.soup->mesh, cut);
-    const std::vector<std::vector<int>> loops = state.boundaryLoops();
-    const std::vector<double> turning = turningOf(graph, state, loops);
-    std::vector<int> outer(state.chartCount, -1);
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-        int &l = outer[state.chart[loops[i].front() / 3]];
+    const ChartLoops of(graph, cut);
+    const std::vector<double> turning = turningOf(graph, of.state, of.loops);
+    std::vector<int> outer(of.state.chartCount, -1);
+    for (std::size_t i = 0; i < of.loops.size(); ++i) {
+        int &l = outer[of.chartOf(i)];
         if (l < 0 || turning[i] > turning[l])
             l = static_cast<int>(i);
     }
-    ShortestPaths paths(graph, cost);
-    std::vector<int> joinedTo(graph.vertexCount, -1); // a chart in which the vertex is on a joined loop
-    const auto markJoined = [&](int loop) {
-        for (const int side : loops[loop])
-            joinedTo[graph.vertex[side]] = state.chart[side / 3];
-    };
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-        const int chart = state.chart[loops[i].front() / 3];
-        if (outer[chart] == static_cast<int>(i) || turning[i] < holeTurning)
-            continue;
-        markJoined(outer[chart]);
-        std::vector<int> from;
-        for (const int side : loops[i])
-            from.push_back(graph.vertex[side]);
-        const int nearest = paths.run(
-            from, Way::Any,
-            [&](int e) {
-                return !cut[e] && state.chart[graph.soup->mesh->edgePairs[e].triangle[0]] == chart;
-            },
-            [&](int v) { return joinedTo[v] == chart; });
-        if (nearest >= 0)
-            paths.cutPath(nearest, cut);
-        markJoined(static_cast<int>(i));
+    std::vector<LoopRole> role;
+    for (std::size_t i = 0; i < of.loops.size(); ++i) {
+        if (outer[of.chartOf(i)] == static_cast<int>(i))
+            role.push_back(LoopRole::Joined);
+        else
+            role.push_back(turning[i] < holeTurning ? LoopRole::Stays : LoopRole::Joins);
     }
+    joinLoops(graph, cost, of, role, cut);
 }
 
 //! Cuts edges between which Tutte's embedding would be flat: those that join the same two vertices of a
