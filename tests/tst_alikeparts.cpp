@@ -7,6 +7,8 @@
 #include "solver/base/cutmesh.h"
 #include "solver/base/soup.h"
 #include "solver/metrics/uvmetrics.h"
+#include "solver/preference/seampreference.h"
+#include "solver/rigid/nets.h"
 #include "solver/search/seamoptimizer.h"
 #include "solver/unwrap/alikeparts.h"
 #include "solver/unwrap/unwrap.h"
@@ -81,6 +83,7 @@ private Q_SLOTS:
     void unwrapCutsCopiesAlike();
     void unwrapStacksCopies();
     void theBestCopyStandsForAll();
+    void aNearCopyStandsForNone();
     void aStopEndsTheComparison();
 };
 
@@ -341,6 +344,27 @@ void TestAlikeParts::theBestCopyStandsForAll()
     // With a bound that it does not meet, the map stays.
     const SeamedMap kept = parts->unified(found->map, snapshot, 0.15, 4.0001);
     QVERIFY(kept.distortion(*soup) <= found->map.distortion(*soup));
+}
+
+//! Its seams are the shortest, but exact copies would be stretched in its map.
+void TestAlikeParts::aNearCopyStandsForNone()
+{
+    Model boxes = box({0, 0, 0}, {1, 1, 2});
+    boxes.add(box({2, 0, 0}, {1, 1, 2}));
+    boxes.add(box({4, 0, 0}, {1, 1, 1.98}));
+    const test::MeshPtr mesh = boxes.mesh();
+    const Snapshot snapshot = preference::SeamPreference().applied(snapshotOf(mesh));
+    const std::optional<unwrap::AlikeParts> parts = unwrap::AlikeParts::of(snapshotOf(mesh));
+    QVERIFY(parts && snapshot.rigid);
+    const std::shared_ptr<const Soup> soup = Soup::build(mesh);
+    SeamedMap apart;
+    apart.cut.assign(mesh->edgePairs.size(), true);
+    apart.x.resize(soup->coordinateCount());
+    const SeamedMap nets = rigid::Nets(soup, snapshot).joined(0, apart);
+    QVERIFY(nets.distortion(*soup) < 4 + 1e-9);
+    const SeamedMap same = parts->unified(nets, snapshot, 0.15, 4.1);
+    QCOMPARE(same.validate(*soup), std::string());
+    QVERIFY2(same.distortion(*soup) < 4 + 1e-7, qPrintable(QString::number(same.distortion(*soup) - 4)));
 }
 
 void TestAlikeParts::aStopEndsTheComparison()

@@ -382,6 +382,10 @@ SeamedMap AlikeParts::unified(const SeamedMap &map, const Snapshot &preferred, d
             cost[mWhole->component[mWhole->edgePairs[e].triangle[0]]] +=
                 preferred.edgeWeight(e) * soup->pairLength[2 * e];
     }
+    // The map of a near copy would be stretched on the others.
+    std::vector<bool> gives(mWhole->componentCount, true);
+    for (const int face : mNear.face)
+        gives[mWhole->component[mWhole->faceTriangle[face]]] = false;
     const double most = dearestUnified * map.seamCost(*soup, preferred);
     // The copies with the shortest seams where the bound allows them, else those with less and less stretch.
     for (const double stretch : {0 / mu, 1 / mu, 4 / mu, 16 / mu}) {
@@ -389,7 +393,7 @@ SeamedMap AlikeParts::unified(const SeamedMap &map, const Snapshot &preferred, d
         const auto score = [&](int component) { return cost[component] + stretch * energy[component]; };
         for (int component = 0; component < mWhole->componentCount; ++component) {
             int &best = donor[kind[component]];
-            if (best < 0 || score(component) < score(best))
+            if (gives[component] && (best < 0 || score(component) < score(best)))
                 best = component;
         }
         SeamedMap whole = expanded(chosenMap(map, kind, donor), job);

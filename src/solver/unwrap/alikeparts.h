@@ -32,11 +32,11 @@ public:
     //! The seams of the expanded map. \param cut of the mesh of snapshot() \param whole the soup of all parts
     double seamLength(const CutFlags &cut, const Soup &whole) const;
 
-    //! A map of the whole mesh in which all copies of a part have the map of one of them: that with the
-    //! cheapest seams, or where that misses the bound, one with less stretch. \param preferred of the whole
-    //! mesh, with the preferences in its weights \param mu energy that one unit of seam cost is worth \param
-    //! bound on the distortion \returns the map as it was when the bound would be missed, or seams cost 5 %
-    //! more, or when stopped
+    //! A map of the whole mesh in which all copies of a part have the map of one of them, but not of a near
+    //! copy: that with the cheapest seams, or where that misses the bound, one with less stretch. \param
+    //! preferred of the whole mesh, with the preferences in its weights \param mu energy that one unit of
+    //! seam cost is worth \param bound on the distortion \returns the map as it was when the bound would be
+    //! missed, or seams cost 5 % more, or when stopped
     SeamedMap unified(const SeamedMap &map, const Snapshot &preferred, double mu, double bound,
                       const JobContext &job = {}) const;
 
