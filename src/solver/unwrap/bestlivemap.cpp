@@ -117,20 +117,32 @@ SeamedMap BestLiveMap::settled(const search::CutState &state, const JobContext &
     return definite::settleRigidRegions(mProblem.graph(), mProblem.problem(), search, state.map());
 }
 
-//! The map in which parts that are copies have the same islands.
-SeamedMap BestLiveMap::alike(SeamedMap map, const JobContext &job)
+bool BestLiveMap::hasAlikeParts(const JobContext &job)
 {
-    if (mProblem.isSymmetric())
-        return map;
-    if (!mAlikeIsKnown) {
+    const std::lock_guard lock(mMutex);
+    return alikeParts(job).has_value();
+}
+
+const std::optional<AlikeParts> &BestLiveMap::alikeParts(const JobContext &job)
+{
+    if (!mAlikeIsKnown && !mProblem.isSymmetric()) {
         Snapshot parts = mProblem.part().withoutRectangles();
         // Copies of a map that a solve starts from are looked for as well.
         parts.settings.start = SolveSettings().start;
         mAlike = AlikeParts::of(parts, job);
         mAlikeIsKnown = !job.stopped();
     }
-    return mAlike ? mAlike->unified(map, mProblem.problem(), definite::usualMu, mOptions.maxDistortion, job)
-                  : map;
+    return mAlike;
+}
+
+//! The map in which parts that are copies have the same islands.
+SeamedMap BestLiveMap::alike(SeamedMap map, const JobContext &job)
+{
+    if (mProblem.isSymmetric())
+        return map;
+    const std::optional<AlikeParts> &parts = alikeParts(job);
+    return parts ? parts->unified(map, mProblem.problem(), definite::usualMu, mOptions.maxDistortion, job)
+                 : map;
 }
 
 //! The map of a state as it is given out. Nothing when a pause leaves no time for that, and there is a map

@@ -88,6 +88,8 @@ public:
     //! Gives a map out once more, as it is.
     void giveAgain(std::shared_ptr<const LiveMapResult> map);
 
+    //! True when parts of the mesh are copies of others, which get the same islands.
+    bool hasAlikeParts(const JobContext &job);
     //! The map that was given out last, or nothing when it was forgotten.
     const std::optional<search::CutState> &best() const { return mBest; }
     //! The best map is above the bound.
@@ -126,6 +128,7 @@ private:
     Merit meritOf(const search::CutState &state) const;
     SeamedMap settled(const search::CutState &state, const JobContext &job) const;
     std::optional<SeamedMap> settledAlike(const search::CutState &state, const JobContext &job);
+    const std::optional<AlikeParts> &alikeParts(const JobContext &job);
     SeamedMap alike(SeamedMap map, const JobContext &job);
     bool isBeaten(const SeamedMap &map) const;
     void give(search::CutState state, FitEffort effort, const JobContext &job,

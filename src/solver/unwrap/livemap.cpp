@@ -4,7 +4,6 @@
 #include "solver/base/timelimit.h"
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
-#include "solver/unwrap/alikeparts.h"
 #include "solver/unwrap/coarsemaps.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/mapbefore.h"
@@ -179,7 +178,7 @@ void LiveMap::findFirst(const JobContext &job)
 {
     updateProblem(job);
     if (mProblem.problem().settings.seams == SeamMode::Only) {
-        findAnyMap(job);
+        findByUnwrap(UnwrapQuality::Draft, job);
         if (!job.stopped())
             mStage = Stage::Done;
         return;
@@ -192,8 +191,9 @@ void LiveMap::findFirst(const JobContext &job)
         return;
     }
     std::optional<search::CutState> quick = makeQuickMap(job);
-    if (hasShortWay(job))
-        findAnyMap(job);
+    // Measured: on truck, plate and chain, a search that began otherwise was behind such a draft after 20 s.
+    if (!mProblem.isSymmetric() && (startsFromClusterNets(mProblem.problem()) || hasAlikeParts(job)))
+        findByUnwrap(UnwrapQuality::Draft, job);
     else if (mProblem.problem().mesh->triangleCount() > sizeForCoarseDraft && !mProblem.isForCoarse() &&
              !mProblem.isSymmetric())
         carryFromCoarse(UnwrapQuality::Draft, std::move(quick), job);
@@ -211,20 +211,18 @@ void LiveMap::findStanding(const JobContext &job)
                                       mOptions.packing, job));
 }
 
-//! True when an unwrap's draft takes less time than the search here: it solves one part of each kind, or
-//! starts from nets of clusters. Measured: on truck, plate and chain, a solve was worse than that after 20 s.
-bool LiveMap::hasShortWay(const JobContext &job) const
+//! True when an unwrap solves one part of each kind, in less time than the search here takes for all.
+bool LiveMap::hasAlikeParts(const JobContext &job)
 {
-    return !mProblem.isSymmetric() && (startsFromClusterNets(mProblem.problem()) ||
-                                       AlikeParts::of(mProblem.part().withoutRectangles(), job));
+    return !mFromMap && !mProblem.isSymmetric() && mBest.hasAlikeParts(job);
 }
 
-//! The map of an unwrap's draft.
-void LiveMap::findAnyMap(const JobContext &job)
+//! The map of an unwrap.
+void LiveMap::findByUnwrap(UnwrapQuality quality, const JobContext &job)
 {
     UnwrapOptions options;
     options.maxDistortion = mProblem.plan().searchBound(mOptions.maxDistortion);
-    options.quality = UnwrapQuality::Draft;
+    options.quality = quality;
     Ranking ranking(options, job);
     const FoundMap found = findMap(mProblem.part().withoutRectangles(), options, ranking, job);
     if (!job.stopped())
@@ -352,11 +350,15 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
     });
 }
 
-//! Searches from many first cuts, as an unwrap does; for a large mesh on a coarser one.
+//! Searches from many first cuts, as an unwrap does; for a large mesh on one part of each kind, or on a
+//! coarser one.
 void LiveMap::explore(const JobContext &job)
 {
     if (mProblem.isForCoarse()) {
-        carryFromCoarse(UnwrapQuality::Standard, mBest.best(), job);
+        if (hasAlikeParts(job))
+            findByUnwrap(UnwrapQuality::Standard, job);
+        else
+            carryFromCoarse(UnwrapQuality::Standard, mBest.best(), job);
         if (job.stopped())
             return;
         if (mBest.best()) {
@@ -386,7 +388,7 @@ void LiveMap::explore(const JobContext &job)
     if (job.stopped())
         return;
     if (!mBest.best()) // the search alone finds no map
-        findAnyMap(job);
+        findByUnwrap(UnwrapQuality::Draft, job);
     mExplored = true;
     mStage = mBest.best() ? Stage::Improve : Stage::Done;
 }

@@ -44,8 +44,8 @@ private:
     void exploreSoup(const JobContext &job);
     void improve(const JobContext &job);
     void findStanding(const JobContext &job);
-    bool hasShortWay(const JobContext &job) const;
-    void findAnyMap(const JobContext &job);
+    bool hasAlikeParts(const JobContext &job);
+    void findByUnwrap(UnwrapQuality quality, const JobContext &job);
     void take(const SeamedMap &map, const JobContext &job);
     void take(const search::CutState &state, const JobContext &job);
     search::OptimizeOptions searchOptions(const JobContext &job);

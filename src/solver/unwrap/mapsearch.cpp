@@ -500,7 +500,8 @@ std::optional<SeamedMap> soupStart(const Snapshot &snapshot, const UnwrapOptions
     how.quality = UnwrapQuality::Draft;
     Ranking ranking(how, job);
     int iterations = 0;
-    std::optional<Candidate> found = bySoupChains(snapshot, how, isPartlyRigid(snapshot), ranking, job, iterations);
+    std::optional<Candidate> found =
+        bySoupChains(snapshot, how, isPartlyRigid(snapshot), ranking, job, iterations);
     return found ? std::optional(std::move(found->map)) : std::nullopt;
 }
 
