@@ -13,6 +13,7 @@ constexpr double nearlyClear = 0.6;  // the same for a part of a model that is o
 constexpr double leastFlat = 0.01;   // and of flat polygons in its area: a stuffed toy has creases, too;
 constexpr double flatShare = 0.5;    // or so many flat polygons that its edges do not matter
 constexpr double smallShare = 0.1;   // of the area: a smaller part follows the whole
+constexpr double mostlyHard = 0.5;   // share of the area, see isMostlyHard()
 //! Angle up to which two polygons lie in one plane, radians.
 constexpr double coplanar = 0.5 * std::numbers::pi / 180;
 
@@ -88,6 +89,11 @@ SurfaceParts surfaceParts(const MeshData &mesh, SurfaceKind kind)
         parts.hardShare += parts.hard[part] ? share * own.area : 0;
     }
     return parts;
+}
+
+bool isMostlyHard(const MeshData &mesh, SurfaceKind kind)
+{
+    return surfaceParts(mesh, kind).hardShare >= mostlyHard;
 }
 
 } // namespace autocuts::preference

@@ -23,4 +23,7 @@ struct SurfaceParts
 //! what the user says; Auto: recognise
 [[nodiscard]] SurfaceParts surfaceParts(const MeshData &mesh, SurfaceKind kind = SurfaceKind::Auto);
 
+//! True when at least half of the area is in hard surfaces.
+[[nodiscard]] bool isMostlyHard(const MeshData &mesh, SurfaceKind kind);
+
 } // namespace autocuts::preference

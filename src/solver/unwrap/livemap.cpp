@@ -217,7 +217,7 @@ bool LiveMap::hasAlikeParts(const JobContext &job)
     return !mFromMap && !mProblem.isSymmetric() && mBest.hasAlikeParts(job);
 }
 
-//! The map of an unwrap.
+//! Finds a map as an unwrap does.
 void LiveMap::findByUnwrap(UnwrapQuality quality, const JobContext &job)
 {
     UnwrapOptions options;

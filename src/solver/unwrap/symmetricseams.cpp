@@ -9,14 +9,6 @@
 
 namespace autocuts::unwrap {
 
-namespace {
-
-//! Share of the area in hard surfaces from which a model does not count as curved: there, flat faces and
-//! alike parts decide.
-constexpr double mostlyHard = 0.5;
-
-} // namespace
-
 bool isSymmetryOpen(const Snapshot &snapshot)
 {
     const Steering &steering = *snapshot.steering;
@@ -24,7 +16,8 @@ bool isSymmetryOpen(const Snapshot &snapshot)
            !snapshot.placesIslands() && steering.straightLoops.empty() &&
            preference::alignedParts(snapshot.settings, *snapshot.mesh).empty() &&
            std::ranges::all_of(steering.pairState, [](PairState s) { return s == PairState::Free; }) &&
-           preference::surfaceParts(*snapshot.mesh, snapshot.settings.surface).hardShare < mostlyHard;
+           // On hard surfaces, flat faces and alike parts decide.
+           !preference::isMostlyHard(*snapshot.mesh, snapshot.settings.surface);
 }
 
 bool hasSymmetricSeams(const Snapshot &snapshot)
