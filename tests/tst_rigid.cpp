@@ -2,6 +2,7 @@
 // makes of them.
 #include "solver/preference/creases.h"
 #include "solver/rigid/stiffregions.h"
+#include "solver/rigid/unrolling.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/props.h"
 
@@ -68,6 +69,9 @@ private Q_SLOTS:
     void regions();
     void unwrapped_data();
     void unwrapped();
+    void panelsKeepWhatTheyCan_data();
+    void panelsKeepWhatTheyCan();
+    void smoothBodiesStayWhole();
     void alignedIslandsKeepTheirShape_data();
     void alignedIslandsKeepTheirShape();
     void freeIsAsBefore();
@@ -93,6 +97,8 @@ void TestRigid::regions_data()
     Model mixed = sphere(12, 1);
     mixed.add(box({3, 0, 0}, {1, 1, 1}));
     QTest::newRow("box and sphere") << mixed.mesh() << 6 << 0.33;
+    QTest::newRow("cushion") << cushion(0.1).mesh() << 6 << 1.0;
+    QTest::newRow("round cushion") << cushion(0.8).mesh() << 0 << 0.0;
     // Less than 1e-4 of the area of the largest part is dust.
     Model dusty = sphere(12, 1), small = dusty;
     dusty.add(box({3, 0, 0}, {0.01, 0.01, 0.01}));
@@ -175,6 +181,75 @@ void TestRigid::unwrapped()
         const int count = islands(*mesh, result.cut);
         QVERIFY2(count >= least && count <= most, qPrintable(QString::number(count)));
     }
+}
+
+void TestRigid::panelsKeepWhatTheyCan_data()
+{
+    QTest::addColumn<test::MeshPtr>("mesh");
+    QTest::addColumn<int>("panels");
+    QTest::newRow("flat cushion") << cushion(0.05).mesh() << 6;
+    QTest::newRow("cushion") << cushion(0.1).mesh() << 6;
+    QTest::newRow("thick cushion") << cushion(0.2).mesh() << 6;
+    QTest::newRow("door") << door(0.05, 0).mesh() << 1;
+    QTest::newRow("bulging door") << door(0.15, 0).mesh() << 1;
+    QTest::newRow("door with a bevel") << door(0.05, 0.04).mesh() << 1;
+    QTest::newRow("bulging door with a bevel") << door(0.15, 0.04).mesh() << 1;
+}
+
+//! Slightly curved panels have hardly more stretch in a map than when they are laid in the plane alone, and
+//! still hang together.
+void TestRigid::panelsKeepWhatTheyCan()
+{
+    QFETCH(const test::MeshPtr, mesh);
+    QFETCH(const int, panels);
+    const auto regions = regionsOf(mesh);
+    QVERIFY(regions);
+    QCOMPARE(static_cast<int>(std::count(regions->curved.begin(), regions->curved.end(), true)), panels);
+    const std::shared_ptr<const Soup> soup = Soup::build(mesh);
+    const rigid::Unrolled alone = rigid::unroll(*soup, *regions);
+    Snapshot snapshot;
+    snapshot.mesh = mesh;
+    for (const unwrap::UnwrapQuality quality :
+         {unwrap::UnwrapQuality::Draft, unwrap::UnwrapQuality::Standard}) {
+        unwrap::UnwrapOptions options;
+        options.quality = quality;
+        options.pack = false;
+        const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot, options);
+        QVERIFY(result.withinBound);
+        QVERIFY(islands(*mesh, result.cut) <= 4);
+        SeamedMap map = *seamedMapOf(*soup, result.uv, result.cut);
+        double size = 0; // of the map, beside the model
+        for (int t = 0; t < mesh->triangleCount(); ++t)
+            size += soup->weight[t] * jacobianDeterminant(*soup, map.x.data(), t);
+        for (double &coordinate : map.x)
+            coordinate /= std::sqrt(size);
+        std::vector<double> here(regions->count, 0), least(regions->count, 0), area(regions->count, 0);
+        for (int t = 0; t < mesh->triangleCount(); ++t) {
+            const int r = regions->region[t];
+            if (r < 0 || !regions->curved[r])
+                continue;
+            here[r] += soup->weight[t] * rigid::excessOf(*soup, map.x, t);
+            least[r] += soup->weight[t] * alone.excess[t];
+            area[r] += soup->weight[t];
+        }
+        for (int r = 0; r < regions->count; ++r) {
+            const QString figures = QStringLiteral("%1 alone, %2 in the map").arg(least[r]).arg(here[r]);
+            QVERIFY2(here[r] <= 2 * least[r] + 2e-4 * area[r], qPrintable(figures));
+        }
+    }
+}
+
+//! A panel that ends at a bevel, not at a crease, counts only on models made of such panels.
+void TestRigid::smoothBodiesStayWhole()
+{
+    const auto hasPanels = [](const test::MeshPtr &mesh) {
+        const auto regions = regionsOf(mesh);
+        return regions &&
+               std::find(regions->curved.begin(), regions->curved.end(), true) != regions->curved.end();
+    };
+    QVERIFY(hasPanels(door(0.15, 0.04).mesh()));
+    QVERIFY(!hasPanels(door(0.15, 0.04, 0.5).mesh()));
+    QVERIFY(hasPanels(door(0.15, 0, 0.5).mesh()));
 }
 
 void TestRigid::alignedIslandsKeepTheirShape_data()

@@ -1,7 +1,9 @@
 #include "support/props.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace autocuts::test::props {
@@ -258,6 +260,98 @@ Model bottle()
 {
     return turnedShape(
         {{1, 0}, {1.05, 0.5}, {1.05, 1.5}, {1, 2}, {0.7, 2.5}, {0.4, 2.8}, {0.3, 3}, {0.3, 3.6}}, 24);
+}
+
+namespace {
+
+//! Adds quads by the positions of their corners; points at the same place become one.
+class Builder
+{
+public:
+    void add(std::vector<Vec3> corners)
+    {
+        std::vector<int> face;
+        for (const Vec3 &p : corners) {
+            const std::array<long, 3> key{std::lround(1e6 * p.x()), std::lround(1e6 * p.y()),
+                                          std::lround(1e6 * p.z())};
+            const auto [found, isNew] = mPoint.emplace(key, static_cast<int>(mModel.points.size()));
+            if (isNew)
+                mModel.points.push_back(p);
+            face.push_back(found->second);
+        }
+        mModel.faces.push_back(std::move(face));
+    }
+    //! A grid of quads. \param at the position for u and v in [0, 1]
+    template <typename Position>
+    void addGrid(int columns, int rows, Position at)
+    {
+        const auto place = [&](int i, int j) { return Vec3(at(double(i) / columns, double(j) / rows)); };
+        for (int i = 0; i < columns; ++i) {
+            for (int j = 0; j < rows; ++j)
+                add({place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)});
+        }
+    }
+    const Model &model() const { return mModel; }
+
+private:
+    std::map<std::array<long, 3>, int> mPoint;
+    Model mModel;
+};
+
+} // namespace
+
+Model cushion(double bulge, int cells)
+{
+    Builder builder;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            builder.addGrid(cells, cells, [&](double u, double v) {
+                const double x = 2 * u - 1, y = 2 * v - 1;
+                Vec3 point = Vec3::Zero();
+                point[axis] = sign * (1 + bulge * (1 - x * x) * (1 - y * y));
+                point[(axis + 1) % 3] = sign * x;
+                point[(axis + 2) % 3] = y;
+                return point;
+            });
+        }
+    }
+    return builder.model();
+}
+
+Model door(double bulge, double bevel, double back)
+{
+    const int columns = 20, rows = 12;
+    const double width = 1, height = 0.6; // halves
+    const auto front = [&](double u, double v) {
+        const double x = (2 * u - 1) * (width - bevel), y = (2 * v - 1) * (height - bevel);
+        return Vec3(x, y, bulge * (1 - 0.3 * std::pow(x / width, 2) - std::pow(y / height, 2)));
+    };
+    const auto rim = [&](double u, double v, bool high) {
+        return Vec3((2 * u - 1) * width, (2 * v - 1) * height, high ? front(u, v).z() - bevel : -0.5);
+    };
+    Builder builder;
+    builder.addGrid(columns, rows, front);
+    builder.addGrid(columns, rows, [&](double u, double v) {
+        const double x = 1 - 2 * u, y = 2 * v - 1;
+        return Vec3(x * width, y * height, -0.5 - back * (1 - x * x) * (1 - y * y));
+    });
+    std::vector<Vec2> around;
+    for (int i = 0; i < columns; ++i)
+        around.push_back({double(i) / columns, 0});
+    for (int j = 0; j < rows; ++j)
+        around.push_back({1, double(j) / rows});
+    for (int i = 0; i < columns; ++i)
+        around.push_back({1 - double(i) / columns, 1});
+    for (int j = 0; j < rows; ++j)
+        around.push_back({0, 1 - double(j) / rows});
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        const Vec2 a = around[i], b = around[(i + 1) % around.size()];
+        const Vec3 highA = rim(a.x(), a.y(), true), highB = rim(b.x(), b.y(), true);
+        if (bevel > 0)
+            builder.add({front(b.x(), b.y()), front(a.x(), a.y()), highA, highB});
+        builder.add({highB, highA, rim(a.x(), a.y(), false), rim(b.x(), b.y(), false)});
+    }
+    return builder.model();
 }
 
 Model moved(Model model, const Vec3 &by)

@@ -42,6 +42,13 @@ Model bicycle();
 //! A bottle with a flat bottom.
 Model bottle();
 
+//! A box with sides from -1 to 1 that bulge. \param bulge height in the middle of a side \param cells quads
+//! per edge
+Model cushion(double bulge, int cells = 12);
+//! A door, 2 by 1.2: a front that bulges in both directions, walls and a back. \param bevel width of the
+//! strip between the front and the walls; 0: a sharp edge \param back height by which the back bulges
+Model door(double bulge, double bevel, double back = 0);
+
 Model moved(Model model, const Vec3 &by);
 //! Mirrored in x, with its faces still outside.
 Model mirrored(Model model);

@@ -74,7 +74,8 @@ struct RigidRegions
 {
     std::vector<int> region; //!< per triangle: its region, -1: it may be stretched
     int count = 0;
-    double share = 0; //!< of the area that is in regions
+    double share = 0;         //!< of the area that is in regions
+    std::vector<bool> curved; //!< per region: slightly curved, it keeps as much of its shape as that allows
     //! Per triangle: factor on its energy above that of an isometry. Scaled so that the same bound holds:
     //! what the regions do not need is not spent elsewhere.
     std::vector<double> stiffness;

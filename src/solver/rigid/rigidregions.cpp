@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 namespace autocuts::rigid {
 
@@ -29,7 +31,7 @@ constexpr double leastSoftArea = 5e-3; // the same as a share of the mesh's area
 //! Thin triangles belong to a plane when their corners lie in it. Share of the mesh's size.
 constexpr double planeDistance = 2e-6;
 //! A developable region with smooth borders needs this many inner vertices without defect, and this share of
-//! the area.
+//! the area. A curved region needs the latter.
 constexpr int leastInner = 12;
 constexpr double leastSmoothArea = 0.01;
 
@@ -45,13 +47,23 @@ constexpr double ringBorder = 0.9;
 //! stretched.
 constexpr double leastDevelopable = 0.1;
 
+//! A curved region: least share of its border that is soft or sharp, of flat places in its area at most, and
+//! how much its inner vertices bend it, the sum of their angle defects without sign. Radians; a hemisphere
+//! has 2 pi.
+constexpr double panelBorder = 0.9, mostFlatOfPanel = 0.2;
+//! Where its border is soft, least share of its component that is in regions.
+constexpr double softPanelShare = 0.9;
+constexpr double leastPanelBend = 0.01, mostPanelBend = 0.5;
+
 constexpr int thinSweeps = 16; // in which thin triangles join the regions beside them
 
 class RegionFinder
 {
 public:
-    RegionFinder(const MeshData &mesh, const std::vector<bool> &creases)
-        : mMesh(mesh), mShape(mesh), mCrease(mesh.soupCornerCount(), false), mRegion(mesh.triangleCount(), -1)
+    RegionFinder(const MeshData &mesh, const std::vector<bool> &creases, const std::vector<bool> &bent)
+        : mMesh(mesh), mShape(mesh),
+          mBent(bent.empty() ? std::vector<bool>(mesh.triangleCount(), false) : bent),
+          mCrease(mesh.soupCornerCount(), false), mRegion(mesh.triangleCount(), -1)
     {
         for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
             const EdgePair &pair = mesh.edgePairs[e];
@@ -66,11 +78,18 @@ public:
 
     RigidRegions find()
     {
-        findFlat();
-        findDevelopable();
+        do {
+            std::fill(mRegion.begin(), mRegion.end(), -1);
+            mKind.clear();
+            mCurved.clear();
+            mCount = 0;
+            findFlat();
+            findPanels();
+            findDevelopable();
+        } while (refuseSoftPanels());
         dropFromCurvedComponents();
         takeInThinTriangles();
-        return {std::move(mRegion), mCount, 0, {}, {}};
+        return {std::move(mRegion), mCount, 0, std::move(mCurved), {}, {}};
     }
 
 private:
@@ -147,25 +166,50 @@ private:
     //! What a region has to be to keep its shape.
     enum class Kind {
         Sure,
-        Cap,  //!< keeps its shape on curved components, too
-        Small //!< single polygons with a sharp border, which mean nothing on a rough surface
+        Cap,       //!< keeps its shape on curved components, too
+        SoftPanel, //!< counts where a component is made of such regions
+        Small      //!< single polygons with a sharp border, which mean nothing on a rough surface
     };
 
-    void accept(const std::vector<int> &triangles, Kind kind)
+    void accept(const std::vector<int> &triangles, Kind kind, bool curved = false)
     {
         for (const int t : triangles)
             mRegion[t] = mCount;
         mKind.push_back(kind);
+        mCurved.push_back(curved);
         ++mCount;
     }
 
-    void dropFromCurvedComponents()
+    //! Per component: area of its regions, but for small ones.
+    std::vector<double> rigidAreas() const
     {
         std::vector<double> rigid(mMesh.componentCount, 0);
         for (int t = 0; t < mMesh.triangleCount(); ++t)
             rigid[mMesh.component[t]] +=
                 mRegion[t] >= 0 && mKind[mRegion[t]] != Kind::Small ? mMesh.triangleArea[t] : 0;
+        return rigid;
+    }
+
+    //! Marks panels with soft borders as too bent on components with other curved surface: a smooth body of a
+    //! car is to stay whole. \returns true when there were any
+    bool refuseSoftPanels()
+    {
+        const std::vector<double> rigid = rigidAreas();
+        bool any = false;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            const int c = mMesh.component[t];
+            if (mRegion[t] >= 0 && mKind[mRegion[t]] == Kind::SoftPanel &&
+                rigid[c] < softPanelShare * mComponentArea[c])
+                mBent[t] = any = true;
+        }
+        return any;
+    }
+
+    void dropFromCurvedComponents()
+    {
+        const std::vector<double> rigid = rigidAreas();
         std::vector<int> number(mCount, -1);
+        std::vector<bool> curved;
         int left = 0;
         for (int t = 0; t < mMesh.triangleCount(); ++t) {
             if (mRegion[t] < 0)
@@ -176,10 +220,14 @@ private:
                 continue;
             }
             int &own = number[mRegion[t]];
-            own = own < 0 ? left++ : own;
+            if (own < 0) {
+                own = left++;
+                curved.push_back(mCurved[mRegion[t]]);
+            }
             mRegion[t] = own;
         }
         mCount = left;
+        mCurved = std::move(curved);
     }
 
     //! Largest triangles first: their normals are the most exact.
@@ -275,6 +323,67 @@ private:
         }
     }
 
+    //! Smooth and slightly curved regions with a sharp border. They take in flat places, such as their
+    //! corners.
+    void findPanels()
+    {
+        std::vector<int> mark(mMesh.triangleCount(), -1);
+        int number = 0;
+        for (int seed = 0; seed < mMesh.triangleCount(); ++seed) {
+            if (mark[seed] >= 0)
+                continue;
+            const std::vector<int> found = reach(seed, mark, number++, [&](int from, int t) {
+                return sameTexels(from, t) && mShape.normal[from].dot(mShape.normal[t]) > softCosine;
+            });
+            if (const std::optional<Kind> kind = panelKind(found, mark))
+                accept(found, *kind, true);
+        }
+    }
+
+    //! What kind of a curved region marked triangles are; none: they are no such region.
+    std::optional<Kind> panelKind(const std::vector<int> &triangles, const std::vector<int> &mark) const
+    {
+        const double area = areaOf(triangles);
+        double flat = 0;
+        bool isBent = false;
+        for (const int t : triangles) {
+            flat += mRegion[t] >= 0 ? mMesh.triangleArea[t] : 0;
+            isBent = isBent || mBent[t];
+        }
+        if (isBent || area < leastSmoothArea * mShape.wholeArea || flat > mostFlatOfPanel * area ||
+            !isDisk(triangles, mark))
+            return std::nullopt;
+        const Border border = borderOf(triangles, mark);
+        double bend = 0;
+        for (const int v : innerPoints(triangles, mark))
+            bend += std::abs(mShape.defect[v]);
+        if (border.soft < panelBorder * border.all || bend < leastPanelBend || bend > mostPanelBend)
+            return std::nullopt;
+        return border.crease >= panelBorder * border.all ? Kind::Sure : Kind::SoftPanel;
+    }
+
+    //! The vertices of marked triangles that are not on their border.
+    std::vector<int> innerPoints(const std::vector<int> &triangles, const std::vector<int> &mark) const
+    {
+        std::vector<int> all, border, inner;
+        for (const int t : triangles) {
+            for (int k = 0; k < 3; ++k) {
+                const int across = mShape.uncut.neighbour[3 * t + k];
+                all.push_back(mShape.uncut.uvVertex[3 * t + k]);
+                if (across >= 0 && mark[across / 3] == mark[t])
+                    continue;
+                border.push_back(mShape.uncut.uvVertex[3 * t + k]);
+                border.push_back(mShape.uncut.uvVertex[3 * t + (k + 1) % 3]);
+            }
+        }
+        for (std::vector<int> *points : {&all, &border}) {
+            std::sort(points->begin(), points->end());
+            points->erase(std::unique(points->begin(), points->end()), points->end());
+        }
+        std::set_difference(all.begin(), all.end(), border.begin(), border.end(), std::back_inserter(inner));
+        return inner;
+    }
+
     //! The tip of a cone is no bent vertex when none of its neighbours is one: the seam runs to it.
     void allowTips(std::vector<bool> &bent) const
     {
@@ -365,19 +474,22 @@ private:
 
     const MeshData &mMesh;
     const SurfaceShape mShape;
+    std::vector<bool> mBent;   //!< per triangle: in no curved region
     std::vector<bool> mCrease; //!< per triangle side
     double mDust = 0;          //!< area below which a component is dust
     std::vector<double> mComponentArea;
     std::vector<int> mRegion;
     int mCount = 0;
-    std::vector<Kind> mKind; //!< per region
+    std::vector<Kind> mKind;   //!< per region
+    std::vector<bool> mCurved; //!< per region
 };
 
 } // namespace
 
-RigidRegions findRigidRegions(const MeshData &mesh, const std::vector<bool> &creases)
+RigidRegions findRigidRegions(const MeshData &mesh, const std::vector<bool> &creases,
+                              const std::vector<bool> &bent)
 {
-    return RegionFinder(mesh, creases).find();
+    return RegionFinder(mesh, creases, bent).find();
 }
 
 double rigidShare(const MeshData &mesh, const RigidRegions &regions)

@@ -97,13 +97,14 @@ void SurfaceShape::measureVertices(const MeshData &mesh)
         least[v] = std::min(least[v], 2 * mesh.triangleArea[t] /
                                           std::max({a.norm(), b.norm(), (a - b).norm(), 1e-300}));
     }
+    defect.resize(count);
     flatPoint.resize(count);
     for (int v = 0; v < count; ++v) {
-        const double defect = 2 * std::numbers::pi - angle[v];
+        defect[v] = 2 * std::numbers::pi - angle[v];
         const double precision = flatDefect + digits * size / std::max(least[v], 1e-300);
         const double sphere = 4 * std::numbers::pi * area[v] / wholeArea;
         flatPoint[v] =
-            std::abs(defect) <= std::max(std::min(precision, mostFlatDefect), sphereShare * sphere);
+            std::abs(defect[v]) <= std::max(std::min(precision, mostFlatDefect), sphereShare * sphere);
     }
 }
 

@@ -16,6 +16,7 @@ struct SurfaceShape
     double size = 0;             //!< diagonal of the mesh's box
     double wholeArea = 0;        //!< of the mesh, with all copies, see MeshData::faceCopies
     double wholeFaces = 0;       //!< number of faces, with all copies
+    std::vector<double> defect;  //!< per vertex of the uncut surface: its angle defect, radians
     std::vector<bool> flatPoint; //!< per vertex of the uncut surface: its angle defect counts as none
     std::vector<bool> inner;     //!< per vertex of the uncut surface: not on a border
 

@@ -1,6 +1,7 @@
 #include "solver/rigid/unrolling.h"
 
 #include "solver/base/cornerat.h"
+#include "solver/rigid/flattening.h"
 #include "solver/rigid/planemotion.h"
 
 #include <algorithm>
@@ -18,6 +19,8 @@ namespace {
 //! Mean energy above that of an isometry from which a region counts as stretched; a triangle counts with at
 //! most the second number, as thin ones can be in any shape.
 constexpr double mostStretch = 5e-4, mostOfThin = 1;
+//! The same for slightly curved regions: 1 % of stretch and squeeze, about.
+constexpr double mostOfCurved = 1e-3;
 constexpr int sweepsOfThin = 8; // to turn thin triangles back; chosen by hand
 
 class Unroller
@@ -51,12 +54,16 @@ public:
         }
         cutOpenEdges();
         weld();
+        flattenCurved();
+        findFlippedRegions();
         findTornRegions();
         findStretchedRegions();
         return std::move(mResult);
     }
 
 private:
+    bool isCurved(int region) const { return mRegions.curved[region]; }
+
     int other(int e, int t) const
     {
         const EdgePair &pair = mMesh.edgePairs[e];
@@ -124,7 +131,7 @@ private:
                 mResult.cut[e] = !pair.diagonal;
                 continue;
             }
-            if (a < 0)
+            if (a < 0 || isCurved(a))
                 continue;
             const double limit = togetherShare * mSoup.pairLength[2 * e];
             for (int end = 0; end < 2; ++end) {
@@ -153,6 +160,24 @@ private:
                     openThin(t, state);
             }
         }
+    }
+
+    void flattenCurved()
+    {
+        std::vector<std::vector<int>> curved(mRegions.count);
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            if (mRegions.region[t] >= 0 && isCurved(mRegions.region[t]))
+                curved[mRegions.region[t]].push_back(t);
+        }
+        const CutMesh state(mMesh, mResult.cut);
+        for (const std::vector<int> &triangles : curved) {
+            if (!triangles.empty())
+                flatten(mSoup, state, triangles, mResult.x);
+        }
+    }
+
+    void findFlippedRegions()
+    {
         for (int t = 0; t < mMesh.triangleCount(); ++t) {
             if (mRegions.region[t] >= 0 && !(jacobianDeterminant(mSoup, mResult.x.data(), t) > 0))
                 mResult.works[mRegions.region[t]] = false;
@@ -197,7 +222,7 @@ private:
             area[r] += mSoup.weight[t];
         }
         for (int r = 0; r < mRegions.count; ++r) {
-            if (excess[r] > mostStretch * area[r])
+            if (excess[r] > (isCurved(r) ? mostOfCurved : mostStretch) * area[r])
                 mResult.works[r] = false;
         }
     }

@@ -88,6 +88,8 @@ struct CutState
     bool chartsAreAlone() const { return chartsAreApart && !anchored; }
     //! True for a triangle with anchors that have an effect.
     bool isAnchored(int t) const { return anchored && graph->anchors.onTriangle(t); }
+    //! Per chart: true when it has anchors that have an effect.
+    std::vector<char> chartsWithAnchors() const;
     //! Number of hard pins that are not reached, and one more when charts with anchors may lie on others.
     int anchorFaults() const;
     //! UV of a soup corner.
@@ -125,7 +127,6 @@ struct CutState
 
 private:
     std::vector<int> boundaryAt(const MapPlace &place) const;
-    std::vector<char> chartsWithAnchors() const;
     double anchorEnergy(int t, const double *p) const;
     void addAnchorDerivatives(int t, const double *p, double *gradient, double *hessian) const;
 };

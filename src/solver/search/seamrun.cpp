@@ -116,6 +116,7 @@ void SeamRun::start()
             adaptMu(0.4);
         report(0);
     }
+    mSearch.cutNecks();
     keepBest();
     report(0);
 }
@@ -133,6 +134,7 @@ void SeamRun::search(int moves, double heat)
             if (i % (5 * interval) == 5 * interval - 1) {
                 mSearch.relaxAll(2);
                 mSearch.polish(1);
+                mSearch.cutNecks();
                 mState.updateEnergy();
             }
             keepBest();
@@ -158,6 +160,7 @@ void SeamRun::takeToBound(double mostCost)
     mSearch.relaxAll(10);
     if (mState.distortion > bound())
         return;
+    mSearch.cutNecks();
     // Spend what is left of the bound: rising mu removes the seams that raise the energy least per length.
     mSearch.setCeiling(bound());
     mSearch.setHeat(0);

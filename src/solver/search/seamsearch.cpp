@@ -1,6 +1,8 @@
 #include "solver/search/seamsearch.h"
 
+#include "solver/base/cutmesh.h"
 #include "solver/search/anchoring.h"
+#include "solver/search/seamnecks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +46,7 @@ bool SeamSearch::attempt(Move move, const SeamChange &asked, int size, int steps
     terms.minGain = minGain;
     terms.guarded = mOptions.guarded;
     terms.ceiling = mCeiling;
+    terms.parts = move == Part;
     if (!mTrial.attempt(change, terms, before))
         return false;
     ++counts[move].kept;
@@ -251,6 +254,53 @@ int SeamSearch::splitBoundary(int most)
         split += attempt(Split, change, smallPatch, 6, leastGain);
     }
     return split;
+}
+
+//! The boundary loops of islands that are to lie along the axes, and may turn, where something has changed
+//! since the last look.
+std::vector<std::vector<int>> SeamSearch::loopsWithNecks() const
+{
+    const SeamGraph &graph = *mState.graph;
+    const MeshData &mesh = *graph.soup->mesh;
+    const std::vector<char> held = mState.chartsWithAnchors();
+    const CutMesh charts(mesh, CutFlags(mState.cut.begin(), mState.cut.end()));
+    std::vector<std::vector<int>> loops = charts.boundaryLoops();
+    std::erase_if(loops, [&](const std::vector<int> &loop) {
+        const int t = loop.front() / 3;
+        return !(*graph.aligned)[mesh.component[t]] || held[mState.chart[t]] ||
+               std::none_of(loop.begin(), loop.end(),
+                            [&](int side) { return mChanged[graph.vertex[side]] > mNecksTried; });
+    });
+    return loops;
+}
+
+bool SeamSearch::cutNeckOf(const std::vector<int> &loop)
+{
+    constexpr std::size_t tries = 4; // chosen by hand
+    const std::vector<Neck> necks = necksOf(mState, loop, mOptions.job);
+    for (std::size_t i = 0; i < std::min(tries, necks.size()) && !stopped(); ++i) {
+        if (attempt(Part, {necks[i].edges, {}}, mediumPatch, 6, leastGain))
+            return true;
+    }
+    return false;
+}
+
+bool SeamSearch::cutNecks()
+{
+    if (mState.crooked == 0)
+        return false;
+    bool anyCut = false;
+    // Each round cuts every loop once at most; the parts are looked at again in the next one.
+    for (bool again = true; again && !stopped();) {
+        again = false;
+        const std::vector<std::vector<int>> loops = loopsWithNecks();
+        mNecksTried = mClock;
+        for (const std::vector<int> &loop : loops) {
+            if (!stopped() && cutNeckOf(loop))
+                again = anyCut = true;
+        }
+    }
+    return anyCut;
 }
 
 //! Worsening that the next change is allowed: exponentially distributed, as in simulated annealing.

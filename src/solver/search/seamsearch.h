@@ -41,6 +41,10 @@ public:
     void absorbSmallCharts();
     //! Joins charts along their whole common seams where that pays, the longest seam first.
     void joinCharts();
+    //! Cuts islands through at their necks where that pays, see seamnecks.h. Looks only at loops along which
+    //! something has changed since the last call. Charts with anchors stay whole. \returns true when
+    //! something was cut
+    bool cutNecks();
     //! Tries random new seams and leaves the map as it was.
     //! \returns the one that lowers the energy most per length; empty when none does
     std::vector<int> bestNewSeam(int tries);
@@ -66,7 +70,7 @@ public:
     {
         int tried = 0, kept = 0;
     };
-    enum Move { Zip, Split, Window, Remove, Regraft, Add, Absorb, MoveCount };
+    enum Move { Zip, Split, Window, Remove, Regraft, Add, Absorb, Part, MoveCount };
     std::array<Counts, MoveCount> counts{};
 
 private:
@@ -81,6 +85,8 @@ private:
     int splitBoundary(int most);
     bool attempt(Move move, const SeamChange &asked, int size, int steps, double minGain,
                  CutState *before = nullptr);
+    std::vector<std::vector<int>> loopsWithNecks() const;
+    bool cutNeckOf(const std::vector<int> &loop);
     SeamChange withMirrorImages(const SeamChange &change) const;
     std::vector<std::vector<int>> seamsAround(int chart) const;
     bool absorb(int chart);
@@ -112,6 +118,7 @@ private:
     CutState mBefore; //!< before the last large move that was kept; a buffer
     // A trial that failed is repeated only after something near it has changed. The clock counts changes.
     int mClock = 1;
+    int mNecksTried = 0;                     //!< clock of the last call of cutNecks()
     std::vector<int> mChanged;               //!< per vertex of the uncut surface: clock of the last change
     std::vector<int> mZipTried, mSplitTried; //!< per edge: clock of the last trial
 };

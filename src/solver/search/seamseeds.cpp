@@ -192,7 +192,7 @@ void joinLoops(const SeamGraph &graph, const std::vector<double> &cost, const Ch
                 from.push_back(graph.vertex[side]);
             const int nearest = paths.run(
                 from, Way::Any,
-                [&](int e) {
+                [&](int e, int) {
                     return of.state.chart[pairs[e].triangle[0]] == chart ||
                            of.state.chart[pairs[e].triangle[1]] == chart;
                 },
@@ -353,7 +353,7 @@ bool joinToSeam(const SeamGraph &graph, ShortestPaths &paths, int v, const std::
         ways = {graph.onPlane[v] ? Way::AlongPlane : Way::OneSide, Way::Any};
     for (const Way way : ways) {
         const int nearest = paths.run(
-            {v}, way, [](int) { return true; }, [&](int w) -> bool { return onSeam[w]; });
+            {v}, way, [](int, int) { return true; }, [&](int w) -> bool { return onSeam[w]; });
         if (nearest >= 0) {
             paths.cutPath(nearest, cut);
             return true;

@@ -85,11 +85,11 @@ void SeamTrial::closeLoneEdges(SeamChange &change)
 
 //! What a change can save at most by straighter borders, in cost: as much as it moves, and all where an
 //! island may fall into two that are turned by themselves.
-double SeamTrial::hopeOf(const SeamChange &change) const
+double SeamTrial::hopeOf(const SeamChange &change, bool parts) const
 {
     if (mState.crooked == 0)
         return 0;
-    if (static_cast<int>(change.open.size()) >= partingEdges)
+    if (parts || static_cast<int>(change.open.size()) >= partingEdges)
         return mState.crooked;
     double moved = 0;
     for (const std::vector<int> *edges : {&change.open, &change.close}) {
@@ -121,7 +121,7 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutSta
     mTopologyChanged = false;
     // What straighter borders may save is known at the end only.
     const double crooked = mState.crooked;
-    const double hope = std::min(crooked, hopeOf(change));
+    const double hope = std::min(crooked, hopeOf(change, terms.parts));
     setFlags(change.open, true);
     setFlags(change.close, false);
     closeLoneEdges(change);

@@ -28,6 +28,7 @@ struct TrialTerms
     double ceiling =
         std::numeric_limits<double>::infinity(); //!< the energy of the map may not rise above this
     bool guarded = true;                         //!< no chart may come to overlap itself
+    bool parts = false; //!< the change may part an island, however few edges it opens
 };
 
 //! Trials on one map. The gain of a change is exact, not an estimate, because nothing outside the patch
@@ -89,7 +90,7 @@ private:
     void keep();
     void undo();
     bool keepsCharts(const SeamChange &change, int oldSmallParts);
-    double hopeOf(const SeamChange &change) const;
+    double hopeOf(const SeamChange &change, bool parts) const;
     std::vector<int> seedsOf(const SeamChange &change) const;
 
     CutState &mState;

@@ -36,8 +36,8 @@ public:
     {}
 
     //! Finds the paths from the nearest of some vertices, along edges that are not joined by the user and
-    //! that a test lets pass. Ends at the first vertex at which a second test says so. \returns that vertex;
-    //! -1: none
+    //! that a test lets pass, given the edge and the vertex it is entered from. Ends at the first vertex at
+    //! which a second test says so. \returns that vertex; -1: none
     template <typename MayPass, typename EndsAt>
     int run(const std::vector<int> &from, Way way, MayPass mayPass, EndsAt endsAt)
     {
@@ -63,7 +63,7 @@ public:
             if (endsAt(v))
                 return v;
             for (const int e : mGraph.edgesAt(v)) {
-                if (!mayTake(mGraph, way, e, v, d == 0) || !mayPass(e))
+                if (!mayTake(mGraph, way, e, v, d == 0) || !mayPass(e, v))
                     continue;
                 const int w = mGraph.farEnd(e, v);
                 const double there = d + mCost[e];
@@ -77,7 +77,7 @@ public:
     void run(const std::vector<int> &from, Way way = Way::Any)
     {
         run(
-            from, way, [](int) { return true; }, [](int) { return false; });
+            from, way, [](int, int) { return true; }, [](int) { return false; });
     }
 
     //! The vertices that can be reached, in ascending order.
@@ -94,13 +94,25 @@ public:
             return mDistance[a] != mDistance[b] ? mDistance[a] < mDistance[b] : a > b;
         });
     }
+    //! Cost of the path that ends at v. \pre v has been reached
+    double distance(int v) const { return mDistance[v]; }
+    //! The last edge of the path that ends at v; -1: v is a start.
+    int lastEdge(int v) const { return mVia[v]; }
+    //! The edges of the path that ends at v, the last one first.
+    std::vector<int> pathTo(int v) const
+    {
+        std::vector<int> edges;
+        for (; mVia[v] >= 0; v = mGraph.farEnd(mVia[v], v))
+            edges.push_back(mVia[v]);
+        return edges;
+    }
     //! Cuts the path that ends at v. \returns its number of edges
     int cutPath(int v, CutFlags &cut) const
     {
-        int edges = 0;
-        for (; mVia[v] >= 0; v = mGraph.farEnd(mVia[v], v), ++edges)
-            cut[mVia[v]] = true;
-        return edges;
+        const std::vector<int> edges = pathTo(v);
+        for (const int e : edges)
+            cut[e] = true;
+        return static_cast<int>(edges.size());
     }
 
 private:

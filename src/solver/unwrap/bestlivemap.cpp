@@ -5,7 +5,6 @@
 #include "solver/definite/relaxing.h"
 #include "solver/definite/rigidsettling.h"
 #include "solver/metrics/uvmetrics.h"
-#include "solver/straight/necks.h"
 #include "solver/unwrap/rectanglefit.h"
 
 #include <algorithm>
@@ -191,8 +190,6 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     merit.misses = map.distortion(soup, mProblem.problem().stiffness()) > mOptions.maxDistortion;
     if (mBest && merit.misses && !mBestMerit.misses)
         return;
-    if (mProblem.plan().aligns() && straightness == straight::StraightEffort::Full)
-        straight::cutNecks(soup, mProblem.problem(), mProblem.plan().aligned, map, job.quiet());
     straight::straighten(mProblem.soup(), mProblem.problem(), mProblem.plan(), mOptions.maxDistortion, map,
                          job.quiet(), straightness);
     if (job.stopped() && straightness == straight::StraightEffort::Full)

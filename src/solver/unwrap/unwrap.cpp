@@ -6,7 +6,6 @@
 #include "solver/metrics/uvmetrics.h"
 #include "solver/preference/seampreference.h"
 #include "solver/preference/surfacekind.h"
-#include "solver/straight/necks.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
@@ -82,8 +81,6 @@ private:
             found.measure(*soup, mPart.snapshot());
             return done;
         };
-        if (hurry != PackHurry::Always && !job.stopped() && mPlan.aligns())
-            straight::cutNecks(*soup, mPart.snapshot(), mPlan.aligned, found.map, job.quiet());
         if (hurry == PackHurry::Always)
             return within(TimeLimit(job, timeOfShownMap).context());
         if (job.stopped())
