@@ -326,6 +326,32 @@ private Q_SLOTS:
         QVERIFY(std::abs(std::remainder(angle, std::numbers::pi / 2)) < 1e-9);
     }
 
+    //! Two of a hexagon's sides run along an axis: packing the map again leaves it so, if it is asked to.
+    void straightIslandsStaySo()
+    {
+        for (const double tilt : {0.0, 0.3}) {
+            PackIsland island = regular(6);
+            for (Vec2 &p : island.points)
+                p = Eigen::Rotation2Dd(tilt) * p;
+            QCOMPARE(standsOnAxes(makeOutline(island, 1)), tilt == 0);
+            std::vector<PackIsland> islands = randomStars(6, 5);
+            islands.insert(islands.end(), 6, island);
+            for (const bool keep : {false, true}) {
+                PackOptions settings = quick(0.1);
+                settings.keepStraight = keep;
+                const PackResult result = packIslands(islands, settings);
+                QVERIFY(result.complete);
+                const QString broken = brokenRule(islands, settings, result);
+                QVERIFY2(broken.isEmpty(), qPrintable(broken));
+                const bool stay = std::all_of(
+                    result.placements.begin() + 6, result.placements.end(), [](const PackPlacement &place) {
+                        return std::abs(std::remainder(place.angle, std::numbers::pi / 2)) < 1e-9;
+                    });
+                QCOMPARE(stay, keep && tilt == 0);
+            }
+        }
+    }
+
     void holesAreUsed()
     {
         PackOptions settings = quick(0.2);

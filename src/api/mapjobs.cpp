@@ -122,6 +122,7 @@ MadeMap packed(Job &job)
     unwrap::PackJob pack = packJobOf(job);
     if (job.snapshot.settings.alike == AlikeMode::Stack)
         unwrap::stackAlike(mesh, charts, pack, uv);
+    pack.options.keepStraight = true;
     if (job.density > 0)
         return resultOf(job, atDensity(job, pack, std::move(uv)));
     if (!unwrap::packCharts(mesh, charts, pack, uv, job.context))

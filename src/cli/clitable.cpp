@@ -176,8 +176,8 @@ std::vector<CliOption> packingOptions()
             {}),
         choice(Group::Packing, u"--rotation"_s, fieldOf(&PackingSettings::rotation),
                u"how islands may be turned: freely, though those whose border is mostly right-angled stand "
-               u"upright; by "
-               "multiples of so many degrees; or not at all"_s),
+               u"upright, and straight ones that pack finds on the axes stay there; by multiples of so many "
+               "degrees; or not at all"_s),
         integer(Group::Packing, u"--tile"_s, fieldOf(&PackingSettings::udimTile), PackingSettings::firstTile,
                 PackingSettings::lastTile,
                 u"UDIM tile to pack into: 1001 is the first, there are ten tiles in a row"_s),

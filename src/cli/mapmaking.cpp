@@ -145,6 +145,7 @@ Result<Done> MapMaking::packIslands(const Snapshot &snapshot, Scene &scene, Made
         return pack.error();
     if (!made.flags.empty())
         pack->faceFlags = made.flags;
+    pack->options.keepStraight = true;
     ChartMap charts = findCharts(mesh, uv);
     if (const JobScope *scope = snapshot.scope.get()) {
         if (!scope->attached)

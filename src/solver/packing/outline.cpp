@@ -300,6 +300,17 @@ std::optional<double> squareAngleOf(const Outline &outline)
 
 } // namespace
 
+bool standsOnAxes(const Outline &outline)
+{
+    constexpr double slope = 3e-3, share = 0.15; // chosen by hand; the borders of boxes have a share of 1
+    double straight = 0;
+    for (const Outline::Edge &edge : outline.edges) {
+        const Vec2 side = (outline.points[edge.b] - outline.points[edge.a]).cwiseAbs();
+        straight += side.minCoeff() <= slope * side.maxCoeff() ? side.norm() : 0;
+    }
+    return straight > 0 && straight >= share * outline.perimeter;
+}
+
 Outline makeOutline(const PackIsland &island, double unit)
 {
     Outline outline;

@@ -51,6 +51,10 @@ struct Outline
 //! \param unit UV units per unit of the outline. \pre unit > 0
 Outline makeOutline(const PackIsland &island, double unit);
 
+//! True when a good part of the border runs along the axes as the island stands. In any other place hardly a
+//! side does.
+bool standsOnAxes(const Outline &outline);
+
 //! Size of the axis-parallel box around the hull after a turn by `angle` (radians).
 Vec2 rotatedBox(const std::vector<Vec2> &hull, double angle);
 

@@ -90,13 +90,15 @@ PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOption
     problem.lower = settings.lower + Vec2::Constant(border);
     problem.upper = settings.upper - Vec2::Constant(border);
     for (const PackIsland &island : islands) {
-        problem.outlines.push_back(makeOutline(island, problem.unit));
+        Outline &outline = problem.outlines.emplace_back(makeOutline(island, problem.unit));
+        if (settings.keepStraight && !outline.squareAngle && standsOnAxes(outline))
+            outline.squareAngle = 0;
         problem.locked.push_back(island.locked);
         problem.upright.push_back(island.upright);
         problem.aligned.push_back(island.aligned);
         if (island.aligned)
-            problem.outlines.back().squareAngle.reset(); // it stands as the user wants it
-        problem.given.push_back({0, problem.outlines.back().centre});
+            outline.squareAngle.reset(); // it stands as the user wants it
+        problem.given.push_back({0, outline.centre});
     }
     return problem;
 }

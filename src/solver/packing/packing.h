@@ -16,6 +16,9 @@ struct PackOptions : PackingSettings
     Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< the bin, UV units
     unsigned seed = 1;                               //!< of all random numbers
     int starts = 0; //!< number of independent searches that share the effort; 0: depends on the effort
+    //! Where islands turn freely, those with borders along the axes stay so, see standsOnAxes(): for packing
+    //! a map that is there.
+    bool keepStraight = false;
 };
 
 //! Where an island goes: p' = scale * R(angle) * p + translation, in UV units. Never mirrored.
