@@ -85,8 +85,11 @@ private:
         const auto stiff = std::make_shared<RigidRegions>(regions);
         const std::vector<bool> keeps = mNets.keepsShape();
         const double soft = *std::min_element(stiff->stiffness.begin(), stiff->stiffness.end());
-        for (std::size_t t = 0; t < stiff->stiffness.size(); ++t)
-            stiff->stiffness[t] = keeps[t] ? finalStiffness * stiff->stiffness[t] : soft;
+        for (std::size_t t = 0; t < stiff->stiffness.size(); ++t) {
+            const int r = regions.region[t];
+            const bool isStiff = keeps[t] || (r >= 0 && regions.curved[r]);
+            stiff->stiffness[t] = isStiff ? finalStiffness * stiff->stiffness[t] : soft;
+        }
         return stiff;
     }
 

@@ -322,7 +322,7 @@ std::vector<bool> Nets::keepsShape() const
     std::vector<bool> keeps(mSoup->triangleCount());
     for (int t = 0; t < mSoup->triangleCount(); ++t) {
         const int r = mRegions->region[t];
-        keeps[t] = r >= 0 && mUnrolled.works[r] && mUnrolled.excess[t] < mostExcess;
+        keeps[t] = r >= 0 && !mRegions->curved[r] && mUnrolled.works[r] && mUnrolled.excess[t] < mostExcess;
     }
     return keeps;
 }

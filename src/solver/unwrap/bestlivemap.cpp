@@ -5,6 +5,7 @@
 #include "solver/definite/relaxing.h"
 #include "solver/definite/rigidsettling.h"
 #include "solver/metrics/uvmetrics.h"
+#include "solver/unwrap/candidates.h"
 #include "solver/unwrap/rectanglefit.h"
 
 #include <algorithm>
@@ -187,7 +188,7 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     }
     SeamedMap map = std::move(*made);
     definite::equalizeDensity(soup, mProblem.problem(), map);
-    merit.misses = map.distortion(soup, mProblem.problem().stiffness()) > mOptions.maxDistortion;
+    merit.misses = boundedDistortion(soup, mProblem.problem(), map) > mOptions.maxDistortion;
     if (mBest && merit.misses && !mBestMerit.misses)
         return;
     straight::straighten(mProblem.soup(), mProblem.problem(), mProblem.plan(), mOptions.maxDistortion, map,

@@ -1,6 +1,7 @@
 #include "solver/unwrap/candidates.h"
 
 #include "solver/base/alignedborder.h"
+#include "solver/search/bentregions.h"
 #include "solver/search/cutstate.h"
 
 #include <algorithm>
@@ -18,10 +19,19 @@ double costOfSmallCharts(int count)
 
 } // namespace
 
+double boundedDistortion(const Soup &soup, const Snapshot &snapshot, const SeamedMap &map)
+{
+    if (!snapshot.rigid)
+        return map.distortion(soup);
+    const std::vector<bool> bent = search::bentRegions(soup, *snapshot.rigid, map.x);
+    const bool anyBent = std::find(bent.begin(), bent.end(), true) != bent.end();
+    return anyBent ? map.distortion(soup, snapshot.stiffness()) : map.distortion(soup);
+}
+
 void Candidate::measure(const Soup &soup, const Snapshot &snapshot)
 {
     distortion = map.distortion(soup);
-    bounded = snapshot.rigid ? map.distortion(soup, snapshot.stiffness()) : distortion;
+    bounded = boundedDistortion(soup, snapshot, map);
     seamLength = map.seamLength(soup);
     seamCost = map.seamCost(soup, snapshot);
     const MeshData &mesh = *soup.mesh;

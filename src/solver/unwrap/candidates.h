@@ -15,7 +15,7 @@ struct Candidate
 {
     SeamedMap map;
     double distortion = 0, seamLength = 0, seamCost = 0, lambda = 0, delta = 0;
-    double bounded = 0;   //!< the distortion that the bound is for: with the stiffness of rigid regions
+    double bounded = 0;   //!< see boundedDistortion()
     int smallCharts = 0;  //!< below CutState::smallestChart() and not whole connected components of the mesh
     int anchorFaults = 0; //!< see search::CutState
     int openJoins = 0;    //!< joined edges that are seams
@@ -25,6 +25,10 @@ struct Candidate
     //! Sets distortion, bounded, seamLength, seamCost, smallCharts and openJoins from the map.
     void measure(const Soup &soup, const Snapshot &snapshot);
 };
+
+//! The distortion that the bound is for: where a rigid region has lost its shape, with the stiffness of the
+//! regions.
+[[nodiscard]] double boundedDistortion(const Soup &soup, const Snapshot &snapshot, const SeamedMap &map);
 
 //! Compares candidates, keeps the best one and reports the progress of an unwrap. May be used by several
 //! threads at once.
