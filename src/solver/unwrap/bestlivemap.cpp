@@ -48,7 +48,11 @@ BestLiveMap::Merit BestLiveMap::makeMerit(int anchorFaults, double distortion, d
 
 BestLiveMap::Merit BestLiveMap::meritOf(const search::CutState &state) const
 {
-    return makeMerit(state.anchorFaults(), state.distortion, state.cost);
+    const Snapshot &problem = mProblem.problem();
+    const bool mayKeepShape = problem.rigid && state.distortion > mOptions.maxDistortion;
+    const double distortion =
+        mayKeepShape ? boundedDistortion(*mProblem.soup(), problem, state.map()) : state.distortion;
+    return makeMerit(state.anchorFaults(), distortion, state.cost);
 }
 
 void BestLiveMap::offer(const search::CutState &state)
