@@ -38,14 +38,14 @@ std::vector<double> stiffnessOfCurved(const Soup &soup, const RigidRegions &regi
     return most;
 }
 
-//! Per triangle: true in regions that do not lie in the plane. Empty when all do.
-std::vector<bool> inTornRegions(const RigidRegions &regions, const Unrolled &unrolled)
+//! Per triangle: true in curved regions that do not lie in the plane. Empty when all do.
+std::vector<bool> inTornPanels(const RigidRegions &regions, const Unrolled &unrolled)
 {
-    if (std::find(unrolled.works.begin(), unrolled.works.end(), false) == unrolled.works.end())
-        return {};
     std::vector<bool> torn;
     for (const int r : regions.region)
-        torn.push_back(r >= 0 && !unrolled.works[r]);
+        torn.push_back(r >= 0 && regions.curved[r] && !unrolled.works[r]);
+    if (std::find(torn.begin(), torn.end(), true) == torn.end())
+        torn.clear();
     return torn;
 }
 
@@ -61,11 +61,12 @@ std::shared_ptr<const RigidRegions> rigidRegions(const std::shared_ptr<const Mes
         return nullptr;
     const std::shared_ptr<const Soup> soup = Soup::build(mesh);
     Unrolled unrolled = unroll(*soup, *regions);
-    if (std::vector<bool> torn = inTornRegions(*regions, unrolled); !torn.empty()) {
-        // A region that seemed slightly curved may unroll in part.
+    if (const std::vector<bool> torn = inTornPanels(*regions, unrolled); !torn.empty()) {
+        // What seemed slightly curved may unroll in part.
         *regions = findRigidRegions(*mesh, creases, torn);
         unrolled = unroll(*soup, *regions);
     }
+    // A region that tears or stretches when it is laid in the plane is none.
     for (int &r : regions->region)
         r = r >= 0 && unrolled.works[r] ? r : -1;
     const double share = rigidShare(*mesh, *regions);
