@@ -82,12 +82,13 @@ std::vector<Hinge> findHinges(const Soup &soup, const RigidRegions &regions, con
         // The longest edge of a hinge says best how it lies.
         std::stable_sort(edges.begin(), edges.end(),
                          [&](int e, int f) { return mesh.edgePairs[e].length > mesh.edgePairs[f].length; });
-        const bool isCurved = regions.curved[pair.first] || regions.curved[pair.second];
+        const int first = pair.first;
+        const bool isCurved = regions.curved[first] || regions.curved[pair.second];
         const std::size_t begin = hinges.size();
         for (const int e : edges) {
-            const Sides sides = sidesOf(unrolled.x, mesh, regions, pair.first, e);
+            const Sides sides = sidesOf(unrolled.x, mesh, regions, first, e);
             const auto isOf = [&](const Hinge &hinge) {
-                const Sides longest = sidesOf(unrolled.x, mesh, regions, pair.first, hinge.edges.front());
+                const Sides longest = sidesOf(unrolled.x, mesh, regions, first, hinge.edges.front());
                 return gapAt(hinge.motion, sides) <=
                        sameMotionShare * (sides.first[1] - sides.first[0]).norm() +
                            (isCurved ? gapPerDistance * (middle(sides.first) - middle(longest.first)).norm()
@@ -97,7 +98,7 @@ std::vector<Hinge> findHinges(const Soup &soup, const RigidRegions &regions, con
                 std::find_if(hinges.begin() + static_cast<std::ptrdiff_t>(begin), hinges.end(), isOf);
             if (found == hinges.end()) {
                 hinges.push_back(
-                    {pair.first,
+                    {first,
                      pair.second,
                      {},
                      0,
