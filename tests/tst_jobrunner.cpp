@@ -1,7 +1,7 @@
 // Long work off the GUI thread: results, progress, cancel, failure.
 #include "support/patience.h"
 #include "views/control/jobrunner.h"
-#include "views/ui/pooltask.h"
+#include "views/ui/task.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -134,49 +134,9 @@ private Q_SLOTS:
         }
     }
 
-    //! Work on a pool that fails ends alone, not the program.
-    void workOnAPoolFailsAlone_data()
-    {
-        QTest::addColumn<QString>("what");
-        for (const char *what : {"nothing", "memory", "error"})
-            QTest::newRow(what) << QString::fromLatin1(what);
-    }
-    void workOnAPoolFailsAlone()
-    {
-        QFETCH(const QString, what);
-        QThreadPool pool;
-        int result = 0;
-        QString message;
-        bool inGuiThread = false;
-        const auto isHere = [&] { inGuiThread = QThread::currentThread() == thread(); };
-        runOnPool(
-            pool,
-            [what] {
-                if (what == u"memory")
-                    throw std::bad_alloc();
-                if (what == u"error")
-                    throw std::runtime_error("the error");
-                return 7;
-            },
-            [&](int value) {
-                isHere();
-                result = value;
-            },
-            [&](const QString &text) {
-                isHere();
-                message = text;
-            });
-        QTRY_VERIFY_WITH_TIMEOUT(inGuiThread, test::patience);
-        QCOMPARE(result, what == u"nothing" ? 7 : 0);
-        QCOMPARE(message, what == u"memory"  ? noMemoryText()
-                          : what == u"error" ? QStringLiteral("the error")
-                                             : QString());
-    }
-
     void aJobThatIsLetGoIsForgotten()
     {
         JobRunner runner(JobRunner::OnCancel::LetGo);
-        QSignalSpy ended(&runner, &JobRunner::letGoEnded);
         bool called = false;
         runner.start(QStringLiteral("Reading"), countUntilStopped, [&](int) { called = true; });
         runner.cancel();
@@ -185,14 +145,13 @@ private Q_SLOTS:
         QVERIFY(runner.start(
             QStringLiteral("Another"), [](JobControl &) { return 7; }, [&](int value) { result = value; }));
         QTRY_COMPARE_WITH_TIMEOUT(result, 7, test::patience);
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, test::patience);
+        QTRY_COMPARE_WITH_TIMEOUT(Task::threads(), 0, test::patience);
         QVERIFY(!called);
     }
 
     void aCancelledJobKeepsNobodyWaiting()
     {
         JobRunner runner;
-        QSignalSpy ended(&runner, &JobRunner::letGoEnded);
         std::atomic<bool> release = false;
         const auto stubborn = [&release](JobControl &control) {
             control.setProgress(0.5);
@@ -223,7 +182,7 @@ private Q_SLOTS:
         begin();
         runner.abandon();
         release = true;
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 3, test::patience);
+        QTRY_COMPARE_WITH_TIMEOUT(Task::threads(), 0, test::patience);
         QCOMPARE(late, 1);
     }
 

@@ -151,6 +151,9 @@ std::string problemWithForeign(const Include &i)
     static const std::regex system("(unistd|dlfcn|fcntl|poll|spawn|langinfo|windows|io)\\.h|sys/.*");
     if (std::regex_match(i.header, system) && !systemCallers.contains(i.file))
         return "the operating system is called in a few files only";
+    static const std::regex threads("thread|future|QThreadPool|QtConcurrent.*|pthread\\.h|tbb/.*");
+    if (std::regex_match(i.header, threads) && i.file != "model/plain/parallel.h")
+        return "threads are started in model/plain/parallel.h";
     if (i.header.starts_with("assimp/") && !i.file.starts_with("model/io/assimp"))
         return "Assimp belongs to model/io/assimp*";
     if (i.header.starts_with("OpenMesh/") && i.file != "solver/multires/edgecollapses.cpp")
@@ -278,6 +281,8 @@ private Q_SLOTS:
         row("model/document/scene.cpp", "OpenMesh/Core/IO/MeshIO.hh", false);
         row("solver/multires/progressivemesh.cpp", "OpenMesh/Core/Mesh/Traits.hh", false);
         row("solver/newton/minimizer.cpp", "cholmod.h", false);
+        row("solver/unwrap/readyresult.h", "thread", false);
+        row("views/ui/task.h", "QThreadPool", false);
         // The operating system.
         row("model/io/savefile.cpp", "unistd.h", false);
         row("cli/batch.cpp", "sys/stat.h", false);

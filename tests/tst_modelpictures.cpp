@@ -5,7 +5,7 @@
 #include "views/canvas/uvview.h"
 #include "views/control/modelpictures.h"
 #include "views/panels/noticebar.h"
-#include "views/ui/pooltask.h"
+#include "views/ui/task.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -197,24 +197,19 @@ private Q_SLOTS:
         desk.put("other/n.obj", QByteArray(quads()).replace("m.mtl", "n.mtl"));
         desk.put("other/n.mtl", "newmtl first\nmap_Kd blue.png\n");
         fill(desk.at("other/blue.png"), blue, 512);
-        QThreadPool &pool = backgroundPool();
-        const auto hold = std::make_shared<QSemaphore>();
         const auto opened = [&](const char *name) {
             desk.context.files.open(desk.at(name));
             return QTest::qWaitFor(
                 [&] { return desk.jobsRest() && desk.document()->state().scene.path == desk.at(name); },
                 test::patience);
         };
-        for (int t = 0; t < pool.maxThreadCount(); ++t)
-            pool.start([hold] { hold->acquire(); });
-        auto release = qScopeGuard([&] { hold->release(pool.maxThreadCount()); });
+        std::optional<Task::Hold> hold(std::in_place);
         for (const char *name : {"other/n.obj", "m.obj", "other/n.obj"}) {
             QVERIFY(opened(name));
             QCoreApplication::processEvents();
             QVERIFY(!isNear(desk.onModel(0), red) && !isNear(desk.onModel(0), blue));
         }
-        release.dismiss();
-        hold->release(pool.maxThreadCount());
+        hold.reset();
         QTRY_VERIFY(!desk.context.pictures.isLoading());
         QVERIFY(isNear(desk.onModel(0), blue));
         QCoreApplication::processEvents();

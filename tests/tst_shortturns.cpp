@@ -1,6 +1,5 @@
 // What would keep the window from answering is not done in one go: paints, tables, pictures.
 #include "commands/setuvs.h"
-#include "support/busypool.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
 #include "support/panelongrid.h"
@@ -185,7 +184,7 @@ private Q_SLOTS:
         QCOMPARE(first.pictures().smaller.front().size(), std::size_t(3)); // 4 x 2, 2 x 1, 1 x 1
         // What nobody wants any more is not made; what was there may stay until the next is.
         {
-            const test::BusyPool busy;
+            const Task::Hold busy;
             first.ask(u"second"_s, make, true);
             first.ask(u"third"_s, make, true);
             QCOMPARE(first.pictures().images.front().cacheKey(), image.cacheKey());
@@ -194,7 +193,7 @@ private Q_SLOTS:
         }
         const qint64 before = first.pictures().images.front().cacheKey();
         QTRY_VERIFY(first.pictures().images.front().cacheKey() != before);
-        QVERIFY(backgroundPool().waitForDone());
+        Task::waitForAll();
         QCOMPARE(made.load(), 2);
     }
 
@@ -267,7 +266,7 @@ private Q_SLOTS:
         const QImage plainMap = studio.uv.picture(), plainModel = studio.mesh.picture();
         ViewOptions options = studio.view.options();
         {
-            const test::BusyPool busy;
+            const Task::Hold busy;
             options.pattern = Pattern::Lettered;
             options.letteredCells = 3;
             studio.view.setOptions(options);
@@ -277,7 +276,7 @@ private Q_SLOTS:
         QTRY_VERIFY(studio.uv.picture() != plainMap && studio.mesh.picture() != plainModel);
         const QImage three = studio.mesh.picture();
         {
-            const test::BusyPool busy;
+            const Task::Hold busy;
             options.letteredCells = 5;
             studio.view.setOptions(options);
             QCOMPARE(studio.mesh.picture(), three); // until the next is there

@@ -343,7 +343,7 @@ private Q_SLOTS:
         choice.uvSet = jobs::LightChoice::newSet;
         choice.samples = 1 << 16;
         choice.path = folder.filePath(QStringLiteral("light.png"));
-        studio.context.map.bakeLight(choice, {});
+        studio.window.actions().bake().pictures().bakeLight(choice, {});
         QTRY_COMPARE(studio.context.map.jobs().title(), QStringLiteral("Baking light"));
         QTRY_VERIFY(studio.context.map.jobs().isBusy());
         studio.action("edit.undo")->trigger();

@@ -1,14 +1,13 @@
 // Texture sets in the window: the panel, light, channels, changed files, sessions.
 #include "commands/setuvs.h"
 #include "model/io/picturefiles.h"
-#include "support/busypool.h"
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
 #include "views/control/modelpictures.h"
 #include "views/panels/noticebar.h"
 #include "views/shell/statusbar.h"
-#include "views/ui/pooltask.h"
+#include "views/ui/task.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -129,7 +128,7 @@ struct Desk : test::StudioSession
     {
         Canvas &view = window.meshView();
         view.picture(); // asks for tangents
-        backgroundPool().waitForDone();
+        Task::waitForAll();
         QCoreApplication::processEvents();
         return middleOf(view.picture());
     }
@@ -230,7 +229,7 @@ private Q_SLOTS:
         QVERIFY(desk.loaded());
         QTRY_VERIFY(!progress->isVisible());
         // All threads that read pictures are busy for as long as the test wants.
-        std::optional<test::BusyPool> busy(std::in_place);
+        std::optional<Task::Hold> busy(std::in_place);
         desk.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(desk.shown(0), u"wood_BaseColor.png"_s); // the document is there at once
         QTRY_VERIFY(progress->isVisible());
@@ -283,7 +282,7 @@ private Q_SLOTS:
         const int up = brightness(desk.onModel());
         const UvMatrix turned = 1 - desk.document()->uv().array(); // half a turn: up is down
         {
-            const test::BusyPool busy;
+            const Task::Hold busy;
             desk.document()->undoStack().push(
                 std::make_unique<SetUvs>(*desk.document(), UvEdit::Rotate, turned));
             QVERIFY(std::abs(brightness(desk.middleOf(view.picture())) - up) < 6);

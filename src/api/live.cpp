@@ -11,7 +11,6 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 namespace autocuts::api {
 
@@ -70,13 +69,13 @@ public:
           mMap([this](std::shared_ptr<const unwrap::LiveMapResult> map) { give(std::move(map)); })
     {
         mOrder = std::move(order);
-        mThread = std::jthread([this](const std::stop_token &end) { work(end); });
+        mThread.emplace([this](const std::stop_token &end) { work(end); });
     }
     ~autocuts_live()
     {
         {
             const std::lock_guard lock(mMutex);
-            mThread.request_stop();
+            mThread->requestStop();
             mInterrupt = true;
         }
         mWake.notify_all();
@@ -183,7 +182,7 @@ private:
     bool mRests = false;
     std::exception_ptr mFailure;
 
-    std::jthread mThread; //!< the last member: it ends first
+    std::optional<BackgroundThread> mThread; //!< the last member: it ends first
 };
 
 autocuts_status autocuts_live_start(const autocuts_mesh *mesh, const autocuts_options *options,

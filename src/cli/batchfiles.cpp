@@ -7,6 +7,7 @@
 #include "jobs/othermodel.h"
 #include "model/document/givenseams.h"
 #include "model/document/makesnapshot.h"
+#include "model/document/uvsetorder.h"
 #include "model/io/exportlosses.h"
 #include "model/io/instances.h"
 #include "model/io/meshfile.h"
@@ -150,9 +151,7 @@ Scene BatchFiles::activeFirst() const
     Scene scene = mDocument ? mDocument->state().scene : mOriginal;
     if (mDocument)
         scene.mesh = mDocument->weightedMesh();
-    if (!scene.uvSets.empty())
-        std::rotate(scene.uvSets.begin(), scene.uvSets.begin() + activeUvSet(),
-                    scene.uvSets.begin() + activeUvSet() + 1);
+    putFirst(scene.uvSets, activeUvSet());
     return scene;
 }
 

@@ -10,7 +10,7 @@ StopTimer::StopTimer(double seconds, StopSource &stop)
 {
     if (!(seconds > 0))
         return;
-    mThread = std::jthread([seconds, &stop](const std::stop_token &token) {
+    mThread.emplace([seconds, &stop](const std::stop_token &token) {
         std::mutex mutex;
         std::unique_lock lock(mutex);
         std::condition_variable_any wake;

@@ -1,8 +1,10 @@
 // Stops a running job after a signal or a time limit.
 #pragma once
 
+#include "model/plain/parallel.h"
+
 #include <atomic>
-#include <thread>
+#include <optional>
 
 namespace autocuts {
 
@@ -32,7 +34,7 @@ public:
     StopTimer(double seconds, StopSource &stop);
 
 private:
-    std::jthread mThread;
+    std::optional<BackgroundThread> mThread;
 };
 
 } // namespace autocuts

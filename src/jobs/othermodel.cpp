@@ -1,6 +1,6 @@
 #include "jobs/othermodel.h"
 
-#include "jobs/letgo.h"
+#include "jobs/abandonablework.h"
 #include "model/io/fileclashes.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"

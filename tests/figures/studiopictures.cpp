@@ -2,7 +2,7 @@
 
 #include "model/plain/uvlayout.h"
 #include "support/patience.h"
-#include "views/ui/pooltask.h"
+#include "views/ui/task.h"
 
 #include <QSurfaceFormat>
 #include <QTest>
@@ -114,7 +114,7 @@ void StudioPictures::rest()
 QImage StudioPictures::grab(Canvas &canvas, const QSize &size)
 {
     mCanvases.view.setOptions(mOptions);
-    backgroundPool().waitForDone(); // textures are read there
+    Task::waitForAll(); // textures are read there
     QCoreApplication::processEvents();
     QImage picture = canvas.picture();
     picture.setDevicePixelRatio(1);

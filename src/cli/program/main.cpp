@@ -3,7 +3,7 @@
 #include "cli/commandline.h"
 #include "cli/manyfiles/manyfiles.h"
 #include "cli/program/startup.h"
-#include "jobs/letgo.h"
+#include "jobs/abandonablework.h"
 
 #include <QCoreApplication>
 
@@ -41,14 +41,14 @@ void dropWarnings(QtMsgType type, const QMessageLogContext &, const QString &mes
         std::fprintf(stderr, "autocuts-cli: %s\n", qPrintable(message));
 }
 
-//! Ends the program without the destructors of global objects: work that was left to itself may still use
+//! Ends the program without the destructors of global objects: work that was abandoned may still use
 //! them, and OpenBLAS waits forever for its threads where memory was too scarce to start them.
 int ended(int code, QTextStream &out, QTextStream &err)
 {
     out.flush();
     err.flush();
 #ifdef __SANITIZE_ADDRESS__
-    if (autocuts::jobs::letGoCount == 0)
+    if (autocuts::jobs::abandonedCount == 0)
         return code; // leaks are looked for at the end
 #endif
     std::_Exit(code);

@@ -1,16 +1,45 @@
-// Runs independent jobs on several threads.
+// Threads: all that the program starts are started here, but for those with an event loop of Qt.
 #pragma once
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <functional>
+#include <future>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace autocuts {
+
+//! A thread beside the calling one. Its end asks the work to end, and waits for it.
+class BackgroundThread
+{
+public:
+    //! \param work throws no exception
+    explicit BackgroundThread(std::function<void(const std::stop_token &)> work) : mThread(std::move(work)) {}
+
+    //! Asks the work to end.
+    void requestStop() { mThread.request_stop(); }
+    //! Waits until the work has ended.
+    void join() { mThread.join(); }
+
+private:
+    std::jthread mThread;
+};
+
+//! Runs work on a thread that nobody has to wait for. \returns its result, or the exception that it threw
+template <class Work>
+auto startDetached(Work work)
+{
+    std::packaged_task<decltype(work())()> task(std::move(work));
+    auto result = task.get_future();
+    std::thread(std::move(task)).detach();
+    return result;
+}
 
 //! Calls job(0) ... job(count - 1), each once, on at most `threads` threads including the calling one, and
 //! waits. The jobs must not depend on each other. Of the exceptions thrown by jobs, the one of the lowest job

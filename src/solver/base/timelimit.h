@@ -1,13 +1,13 @@
 // Stops a part of a job after some time, or only then.
 #pragma once
 
+#include "model/plain/parallel.h"
 #include "solver/base/jobcontext.h"
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 
 namespace autocuts {
 
@@ -46,7 +46,7 @@ private:
     std::atomic<bool> mStop = false;
     std::mutex mMutex;
     std::condition_variable_any mEnded;
-    std::jthread mWatch; //!< the last member: it uses the others
+    BackgroundThread mWatch; //!< the last member: it uses the others
 };
 
 } // namespace autocuts

@@ -16,7 +16,7 @@ constexpr double rounding = 1e-9;
 ReadyResult::ReadyResult(const Ranking &ranking, Place place, MakeMap first, Watch watch,
                          std::chrono::milliseconds firstRest)
     : mRanking(ranking), mPlace(std::move(place)), mWatch(std::move(watch)), mFirstRest(firstRest),
-      mThread([this, first = std::move(first)] { run(first); })
+      mThread([this, first = std::move(first)](const std::stop_token &) { run(first); })
 {}
 
 ReadyResult::~ReadyResult()
@@ -26,7 +26,6 @@ ReadyResult::~ReadyResult()
         mEnds = true;
     }
     mChanged.notify_all();
-    mThread.join();
 }
 
 void ReadyResult::prepare(MakeMap make)

@@ -1,6 +1,7 @@
 // The result that an unwrap returns at once when it is stopped, and shows while it runs.
 #pragma once
 
+#include "model/plain/parallel.h"
 #include "solver/unwrap/candidates.h"
 
 #include <atomic>
@@ -10,7 +11,6 @@
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 namespace autocuts::unwrap {
 
@@ -57,7 +57,7 @@ private:
     std::optional<Candidate> mMeasures; //!< of the result; without the map
     std::optional<UnwrapResult> mResult;
     std::exception_ptr mFailure; //!< there is no result because of this
-    std::thread mThread;         //!< the last member: it uses the others
+    BackgroundThread mThread;    //!< the last member: it uses the others
 };
 
 } // namespace autocuts::unwrap

@@ -22,7 +22,8 @@
 namespace autocuts {
 
 BakeActions::BakeActions(const StudioContext &context, Questions &questions, QObject *parent)
-    : QObject(parent), mContext(context), mQuestions(questions)
+    : QObject(parent), mContext(context), mQuestions(questions),
+      mPictures(context.workspace, context.solver, context.map)
 {
     connect(context.actions.action("uv.bake"), &QAction::triggered, this, [this] {
         if (const Document *document = mContext.workspace.document())
@@ -86,7 +87,7 @@ void BakeActions::ask(const Document &document)
         return;
     }
     mBaking = dialog.files();
-    mContext.map.bake(mChoice);
+    mPictures.bake(mChoice);
 }
 
 void BakeActions::askCarrying(const Document &document)
@@ -100,7 +101,7 @@ void BakeActions::askCarrying(const Document &document)
     mCarryChoice.format = choice.format;
     mCarryChoice.size = choice.size;
     mCarryChoice.margin = choice.margin;
-    mContext.map.carryTextures(choice);
+    mPictures.carryTextures(choice);
 }
 
 void BakeActions::showLive()
@@ -134,7 +135,7 @@ void BakeActions::askLight(const Document &document)
     mHasLight = true;
     LiveBake::Receiver shown = mContext.liveBake.receive();
     show(Pattern::Baked);
-    mContext.map.bakeLight(mLight, shown);
+    mPictures.bakeLight(mLight, shown);
 }
 
 } // namespace autocuts

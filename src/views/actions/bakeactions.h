@@ -4,6 +4,7 @@
 #include "jobs/bakechoice.h"
 #include "jobs/carrychoice.h"
 #include "jobs/lightchoice.h"
+#include "views/control/picturecontroller.h"
 #include "views/control/studiocontext.h"
 #include "views/state/viewstate.h"
 
@@ -31,6 +32,8 @@ public:
     const jobs::LightChoice *light() const { return mHasLight ? &mLight : nullptr; }
     void setLight(const jobs::LightChoice &light);
 
+    PictureController &pictures() { return mPictures; }
+
 private:
     void ask(const Document &document);
     void showLive();
@@ -41,6 +44,7 @@ private:
 
     StudioContext mContext;
     Questions &mQuestions;
+    PictureController mPictures;
     jobs::BakeChoice mChoice; //!< the one last made
     QStringList mBaking;      //!< files of the bake that runs
     //! The files of bakes before and when they were written: unless they were changed since, they are

@@ -7,7 +7,6 @@
 #include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
-#include "views/ui/pooltask.h"
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
@@ -284,7 +283,7 @@ void Canvas::uploadForLight()
         mGl->environment.set(*environment);
     }
     if (mContent.mesh() && (liveNormals || pictures.haveNormals()) && mContent.isUpToDate() &&
-        !studio().shownMap.isLive() && mTangentsStale && !mMakesTangents)
+        !studio().shownMap.isLive() && mTangentsStale && !mTangents.isRunning())
         makeTangents();
 }
 
@@ -292,12 +291,8 @@ void Canvas::uploadForLight()
 void Canvas::makeTangents()
 {
     mTangentsStale = false;
-    mMakesTangents = true;
     const Scene &scene = studio().workspace.document()->state().scene;
-    const auto end = [this, view = QPointer(this), of = scene.mesh](std::span<const float> tangents) {
-        if (!view)
-            return;
-        mMakesTangents = false;
+    const auto end = [this, of = scene.mesh](std::span<const float> tangents) {
         if (mGl && mContent.mesh() == of.get() && !studio().shownMap.isLive()) {
             makeCurrent();
             mGl->soup.setTangents(tangents);
@@ -305,11 +300,9 @@ void Canvas::makeTangents()
         }
         changePicture(); // asks for others when the map has changed meanwhile
     };
-    runOnPool(
-        backgroundPool(),
-        [mesh = scene.mesh, uv = studio().workspace.document()->uv(), hardEdges = scene.hardEdges] {
-            return soupTangents(*mesh, uv, hardEdges);
-        },
+    mTangents.start(
+        [mesh = scene.mesh, uv = studio().workspace.document()->uv(), hardEdges = scene.hardEdges](
+            const std::atomic<bool> &) { return soupTangents(*mesh, uv, hardEdges); },
         [end](const std::vector<float> &tangents) { end(tangents); }, [end](const QString &) { end({}); });
 }
 

@@ -5,6 +5,7 @@
 #include "views/canvas/navigation.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
+#include "views/ui/task.h"
 
 #include <QCborMap>
 #include <QImage>
@@ -136,7 +137,8 @@ private:
     bool mArraysAreNew = false; //!< no picture has been begun with those that workOn() updated last
     MadePictures mTexture, mLetters;
     bool mTextureStale = true;
-    bool mTangentsStale = true, mMakesTangents = false;
+    bool mTangentsStale = true;
+    Task mTangents;                                  //!< being made
     std::shared_ptr<const Environment> mEnvironment; //!< in graphics memory
     Pattern mPictured = Pattern::None;               //!< of the pictures that are wanted
     Pattern mUploaded = Pattern::None;               //!< of those that were uploaded last

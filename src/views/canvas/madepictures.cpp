@@ -2,7 +2,7 @@
 
 #include "views/gl/letteredpattern.h"
 #include "views/gl/picturereading.h"
-#include "views/ui/pooltask.h"
+#include "views/ui/task.h"
 
 #include <QPointer>
 
@@ -20,6 +20,7 @@ struct MadePictures::Making
     Pictures pictures;
     bool ready = false;
     std::vector<QPointer<MadePictures>> waiting;
+    Task task;
 
     static void take(const std::shared_ptr<Making> &making, Pictures pictures)
     {
@@ -43,15 +44,11 @@ std::shared_ptr<MadePictures::Making> MadePictures::making(const QString &key, c
     auto own = std::make_shared<Making>();
     place = own;
     const auto take = [wanted = std::weak_ptr(own)](const Pictures &pictures) {
-        if (const std::shared_ptr<Making> still = wanted.lock())
-            Making::take(still, pictures);
+        Making::take(wanted.lock(), pictures);
     };
-    runOnPool(
-        backgroundPool(),
-        [wanted = std::weak_ptr(own), make] {
-            return wanted.expired() ? Pictures() : readyForUpload(make());
-        },
-        take, [take](const QString &) { take({}); });
+    own->task.start(
+        [make](const std::atomic<bool> &stop) { return stop ? Pictures() : readyForUpload(make()); }, take,
+        [take](const QString &) { take({}); });
     return own;
 }
 

@@ -12,7 +12,7 @@
 namespace autocuts {
 
 //! The pictures that a view shows as its pattern, such as those of a file. Reading or drawing them takes
-//! long, so it is done on a thread of the pool; views that show the same ones share them.
+//! long, so it is done on another thread; views that show the same ones share them.
 class MadePictures final : public QObject
 {
     Q_OBJECT

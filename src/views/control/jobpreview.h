@@ -2,11 +2,11 @@
 #pragma once
 
 #include "solver/unwrap/unwrapoptions.h"
+#include "views/ui/task.h"
 
 #include <QObject>
 
 #include <functional>
-#include <memory>
 
 namespace autocuts {
 
@@ -20,7 +20,6 @@ class JobPreview final : public QObject
 
 public:
     JobPreview(Workspace &workspace, ShownMap &shownMap, QObject *parent = nullptr);
-    ~JobPreview() override;
 
     //! Begins to show the maps of a job. \returns what receives them: callable from any thread, also after
     //! end(), which it outlives
@@ -31,12 +30,11 @@ public:
     bool isShown() const { return mShown; }
 
 private:
-    class Box;
-    void show();
+    void show(const UvMatrix &map);
 
     Workspace &mWorkspace;
     ShownMap &mShownMap;
-    std::shared_ptr<Box> mBox; //!< of the running job; null: none
+    Inbox<UvMatrix> mMaps; //!< of the running job
     bool mShown = false;
 };
 

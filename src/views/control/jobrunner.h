@@ -1,15 +1,16 @@
 // Runs long computations off the GUI thread, one at a time, with progress and cancelling.
 #pragma once
 
+#include "views/ui/task.h"
+
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <utility>
-#include <vector>
 
 namespace autocuts {
 
@@ -18,20 +19,23 @@ class JobControl final
 {
 public:
     //! True when the job should end soon with what it has so far.
-    const std::atomic<bool> &stop() const { return mStop; }
+    const std::atomic<bool> &stop() const { return *mStop; }
     //! \param fraction in [0, 1]; negative when unknown
     void setProgress(double fraction) { mFraction = fraction; }
     //! Sets the text about the current stage. \param text translated
-    void setStage(const QString &text);
+    void setStage(const QString &text)
+    {
+        if (mSetStage)
+            mSetStage(text);
+    }
 
 private:
     friend class JobRunner;
 
-    std::atomic<bool> mStop = false;
+    static inline const std::atomic<bool> never = false;
+    const std::atomic<bool> *mStop = &never; //!< so without a runner
     std::atomic<double> mFraction = -1;
-    std::mutex mMutex;
-    QString mStage; //!< guarded by the mutex
-    std::function<void()> mStageSet;
+    std::function<void(const QString &)> mSetStage;
 };
 
 //! Runs jobs on a separate thread. A job gets copies of its input and never uses the document; its result is
@@ -51,7 +55,7 @@ public:
     enum class OnCancel { EndSoon, LetGo };
 
     explicit JobRunner(OnCancel onCancel = OnCancel::EndSoon, QObject *parent = nullptr);
-    //! Cancels the running job and waits for it.
+    //! Cancels the running job, and waits for it and for abandoned ones.
     ~JobRunner() override;
 
     bool isBusy() const { return mControl != nullptr; }
@@ -67,14 +71,24 @@ public:
     template <class Work, class Finished>
     bool start(const QString &title, Work work, Finished done)
     {
-        using Value = decltype(work(std::declval<JobControl &>()));
-        auto value = std::make_shared<std::unique_ptr<Value>>();
-        return startJob(
-            title,
-            [value, work = std::move(work)](JobControl &control) mutable {
-                *value = std::make_unique<Value>(work(control));
+        if (isBusy())
+            return false;
+        auto control = beginJob(title);
+        using Value = decltype(work(*control));
+        mTask.start(
+            [control, work = std::move(work)](const std::atomic<bool> &stop) mutable {
+                control->mStop = &stop;
+                return work(*control);
             },
-            [value, done = std::move(done)]() mutable { done(std::move(**value)); });
+            [this, control, done = std::move(done)](Value value) mutable {
+                endJob(control);
+                done(std::move(value));
+            },
+            [this, control](const QString &message) {
+                if (endJob(control))
+                    Q_EMIT failed(message);
+            });
+        return true;
     }
 
     void cancel();
@@ -90,36 +104,18 @@ Q_SIGNALS:
     void progressChanged();
     //! A job ended with an exception. \param message translated, one line
     void failed(const QString &message);
-    //! An abandoned job has ended, and its result was used or discarded.
-    void letGoEnded();
-    // Emitted on the job's thread. What they are about is passed through members that a mutex guards.
-    void stageSet(QPrivateSignal);
-    void threadEnded(QPrivateSignal);
 
 private:
-    class Thread;
-
-    bool startJob(const QString &title, std::function<void(JobControl &)> work, std::function<void()> done);
-    void showStage();
-    void takeEnded();
-    void jobEnded(Thread *thread);
-    void letGo(std::function<void()> done);
+    std::shared_ptr<JobControl> beginJob(const QString &title);
+    bool endJob(const std::shared_ptr<JobControl> &control);
+    void leaveJob();
 
     OnCancel mOnCancel;
-    std::mutex mMutex;
-    std::vector<Thread *> mEnded; //!< not taken yet; guarded by the mutex
+    Task mTask{true};
+    QTimer mTicker;
     QString mTitle, mStage;
     std::shared_ptr<JobControl> mControl; //!< of the running job
-    std::unique_ptr<Thread> mThread;
-    std::function<void()> mDone;
-
-    //! An abandoned job.
-    struct LetGo
-    {
-        std::unique_ptr<Thread> thread;
-        std::function<void()> done; //!< null: the result is discarded
-    };
-    std::vector<LetGo> mLetGo;
+    Inbox<QString> mStages;               //!< of the running job
 };
 
 } // namespace autocuts

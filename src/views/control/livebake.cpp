@@ -6,15 +6,12 @@
 #include "solver/bake/surfacesamples.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
-#include "views/ui/pooltask.h"
 
 #include <QImage>
-#include <QPointer>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <set>
 #include <utility>
 
@@ -141,40 +138,6 @@ std::map<int, std::vector<QImage>> laidImages(const LiveBakeModel &model, const 
 
 } // namespace
 
-//! Received pictures on their way to the GUI thread.
-class LiveBake::Box final
-{
-public:
-    explicit Box(LiveBake &live) : mLive(&live) {}
-
-    void put(int tile, const QImage &picture)
-    {
-        const std::scoped_lock lock(mMutex);
-        if (!mLive)
-            return;
-        // One call is enough for all pictures that come before it.
-        if (mTiles.empty())
-            QMetaObject::invokeMethod(mLive, &LiveBake::showReceived, Qt::QueuedConnection);
-        mTiles[tile] = picture;
-    }
-    std::map<int, QImage> take()
-    {
-        const std::scoped_lock lock(mMutex);
-        return std::exchange(mTiles, {});
-    }
-    //! Later pictures are dropped.
-    void close()
-    {
-        const std::scoped_lock lock(mMutex);
-        mLive = nullptr;
-    }
-
-private:
-    std::mutex mMutex;
-    LiveBake *mLive;
-    std::map<int, QImage> mTiles;
-};
-
 int LiveBake::sizeFor(std::size_t tiles)
 {
     int side = size;
@@ -186,18 +149,8 @@ int LiveBake::sizeFor(std::size_t tiles)
 LiveBake::LiveBake(const Workspace &workspace, const ShownMap &shownMap, QObject *parent)
     : QObject(parent), mWorkspace(workspace), mShownMap(shownMap)
 {
-    mThreads.setMaxThreadCount(2);
     connect(&workspace, &Workspace::documentReplaced, this, &LiveBake::stop);
     connect(&shownMap, &ShownMap::changed, this, &LiveBake::followMap);
-}
-
-LiveBake::~LiveBake()
-{
-    if (mStop)
-        *mStop = true;
-    if (mBox)
-        mBox->close();
-    mThreads.waitForDone();
 }
 
 void LiveBake::start(const jobs::BakeChoice &choice, const QString &map)
@@ -206,7 +159,7 @@ void LiveBake::start(const jobs::BakeChoice &choice, const QString &map)
     const Document *document = mWorkspace.document();
     if (!document)
         return;
-    mStop = std::make_shared<std::atomic<bool>>(false);
+    mOn = true;
     mChoice = choice;
     mMap = map;
     mRefining = true;
@@ -223,30 +176,28 @@ void LiveBake::start(const jobs::BakeChoice &choice, const QString &map)
         std::shared_ptr<const LiveBakeModel> model;
         QString problem;
     };
-    const QPointer<LiveBake> self(this);
-    runOnPool(
-        mThreads,
-        [model, one, flag = mStop, packing = document->packingSettings()] {
-            Result<jobs::PreparedBake> bake = jobs::prepareBake(model, packing, one, JobContext(flag.get()));
+    mTracing.start(
+        [model, one, packing = document->packingSettings()](const std::atomic<bool> &stop) {
+            Result<jobs::PreparedBake> bake = jobs::prepareBake(model, packing, one, JobContext(&stop));
             if (!bake)
                 return Made{nullptr, bake.error().toString()};
             LiveBakeModel live;
             live.job = std::make_shared<const bake::BakeJob>(std::move(bake->job));
             return Made{std::make_shared<const LiveBakeModel>(std::move(live)), {}};
         },
-        [self, flag = mStop](const Made &made) {
-            if (self && made.model)
-                self->takeOver(flag, made.model, 0);
-            else if (self)
-                self->fail(flag, made.problem);
+        [this](const Made &made) {
+            if (made.model)
+                takeOver(made.model, 0);
+            else
+                fail(made.problem);
         },
-        failing());
+        [this](const QString &message) { fail(message); });
     Q_EMIT changed();
 }
 
 void LiveBake::choose(const QString &map)
 {
-    if (!mStop || mBox || map == mMap)
+    if (!mOn || isReceiving() || map == mMap)
         return;
     const std::shared_ptr<const LiveBakeModel> model = mModel;
     const auto found = std::ranges::find_if(
@@ -261,80 +212,81 @@ void LiveBake::choose(const QString &map)
     other->settings.maps = {{found->second, 0}};
     auto next = std::make_shared<LiveBakeModel>();
     next->job = std::move(other);
-    mStop = std::make_shared<std::atomic<bool>>(false);
+    mOn = true;
     mMap = map;
     mUpdates = 0;
-    takeOver(mStop, next, 0);
+    takeOver(next, 0);
     Q_EMIT changed();
 }
 
 LiveBake::Receiver LiveBake::receive()
 {
     stop();
-    mStop = std::make_shared<std::atomic<bool>>(false);
+    mOn = true;
     mMap.clear();
     mUpdates = 0;
-    mBox = std::make_shared<Box>(*this);
+    using Tile = std::pair<int, QImage>;
+    const auto put = mReceived.open<Tile>([this](const std::map<int, QImage> &tiles) { showReceived(tiles); },
+                                          [](std::optional<std::map<int, QImage>> &tiles, const Tile &tile) {
+                                              if (!tiles)
+                                                  tiles.emplace();
+                                              (*tiles)[tile.first] = tile.second;
+                                          });
     Q_EMIT changed();
-    return [box = mBox](int tile, const QImage &picture) { box->put(tile, picture); };
+    return [put](int tile, const QImage &picture) { put({tile, picture}); };
 }
 
 const Pictures &LiveBake::pictures() const
 {
     static const Pictures none;
-    return mFits ? mPictures : none;
+    return mPicturesMatchMap ? mPictures : none;
 }
 
 void LiveBake::followMap()
 {
     layAgain();
-    if (!mBox || mPictures.images.empty())
+    if (!isReceiving() || mPictures.images.empty())
         return;
     const Document *document = mWorkspace.document();
     const bool fits = document && !mShownMap.isLive() && sameBits(document->uv(), mReceivedFor);
-    if (std::exchange(mFits, fits) != fits)
+    if (std::exchange(mPicturesMatchMap, fits) != fits)
         Q_EMIT changed();
 }
 
-void LiveBake::showReceived()
+void LiveBake::showReceived(const std::map<int, QImage> &received)
 {
-    if (!mBox || !mWorkspace.document())
+    if (!mWorkspace.document())
         return;
     TilePictures tiles;
-    for (const auto &[tile, picture] : mBox->take())
+    for (const auto &[tile, picture] : received)
         tiles[tile] = {picture};
-    if (tiles.empty())
-        return;
     if (mPictures.images.empty())
         mReceivedFor = mWorkspace.document()->uv();
     // The others stay.
     for (const auto &[place, index] : mPictures.sets.empty() ? std::map<int, int>() : mPictures.sets[0].tiles)
         tiles.try_emplace(PackingSettings::firstTile + place, 1, mPictures.images[std::size_t(index)]);
-    show(mStop, tiles);
+    show(tiles);
 }
 
 void LiveBake::stop()
 {
-    if (!mStop)
+    if (!mOn)
         return;
-    *mStop = true;
-    mStop.reset();
-    if (mBox)
-        mBox->close();
-    mBox.reset();
+    mOn = false;
+    mTracing.drop();
+    mLaying.drop();
+    mReceived.close();
     mModel.reset();
     mPictures = {};
-    mFits = true;
-    mRefining = mLaying = mStale = false;
+    mPicturesMatchMap = true;
+    mRefining = mStale = false;
     Q_EMIT changed();
 }
 
 void LiveBake::refine(std::shared_ptr<const LiveBakeModel> model, int pass)
 {
-    const QPointer<LiveBake> self(this);
-    runOnPool(
-        mThreads,
-        [model = std::move(model), pass, flag = mStop] {
+    mTracing.start(
+        [model = std::move(model), pass](const std::atomic<bool> &stop) {
             const bake::BakeJob &job = *model->job;
             const bake::Frame frame = bake::Frame::of(*job.low.mesh);
             const bake::Projection projection =
@@ -346,20 +298,15 @@ void LiveBake::refine(std::shared_ptr<const LiveBakeModel> model, int pass)
             auto next = std::make_shared<LiveBakeModel>(*model);
             next->samples = std::make_shared<const bake::SurfaceSamples>(
                 job.low, projection, frame, job.settings.maps.front(), rays, bake::encodingOf(job, frame),
-                passes[pass].points, JobContext(flag.get()));
+                passes[pass].points, JobContext(&stop));
             return std::shared_ptr<const LiveBakeModel>(std::move(next));
         },
-        [self, flag = mStop, pass](const std::shared_ptr<const LiveBakeModel> &next) {
-            if (self)
-                self->takeOver(flag, next, pass + 1);
-        },
-        failing());
+        [this, pass](const std::shared_ptr<const LiveBakeModel> &next) { takeOver(next, pass + 1); },
+        [this](const QString &message) { fail(message); });
 }
 
-void LiveBake::takeOver(const StopFlag &flag, const std::shared_ptr<const LiveBakeModel> &model, int pass)
+void LiveBake::takeOver(const std::shared_ptr<const LiveBakeModel> &model, int pass)
 {
-    if (flag != mStop)
-        return;
     if (model->samples) {
         mModel = model;
         tellMissed(*model);
@@ -389,37 +336,18 @@ void LiveBake::layAgain()
     const Document *document = mWorkspace.document();
     if (!mModel || !document || mModel->job->low.mesh != document->state().scene.mesh)
         return;
-    mStale = mLaying;
-    if (mLaying)
+    mStale = mLaying.isRunning();
+    if (mStale)
         return;
-    mLaying = true;
     const double tileHeight = document->packingSettings().tileHeight();
-    const QPointer<LiveBake> self(this);
-    runOnPool(
-        mThreads,
-        [model = mModel, flag = mStop, uv = mShownMap.uv(), tileHeight] {
-            return laidImages(*model, uv, tileHeight, *flag);
-        },
-        [self, flag = mStop](const TilePictures &tiles) {
-            if (self)
-                self->show(flag, tiles);
-        },
-        failing());
+    mLaying.start([model = mModel, uv = mShownMap.uv(), tileHeight](
+                      const std::atomic<bool> &stop) { return laidImages(*model, uv, tileHeight, stop); },
+                  [this](const TilePictures &tiles) { show(tiles); },
+                  [this](const QString &message) { fail(message); });
 }
 
-//! What takes the message of work that failed.
-std::function<void(const QString &)> LiveBake::failing()
+void LiveBake::show(const TilePictures &tiles)
 {
-    return [self = QPointer<LiveBake>(this), flag = mStop](const QString &message) {
-        if (self)
-            self->fail(flag, message);
-    };
-}
-
-void LiveBake::show(const StopFlag &flag, const TilePictures &tiles)
-{
-    if (flag != mStop)
-        return;
     ++mUpdates;
     mPictures = {};
     if (!tiles.empty())
@@ -430,16 +358,13 @@ void LiveBake::show(const StopFlag &flag, const TilePictures &tiles)
             static_cast<int>(mPictures.images.size());
         mPictures.images.insert(mPictures.images.end(), layers.begin(), layers.end());
     }
-    mLaying = false;
     Q_EMIT changed();
     if (mStale)
         layAgain();
 }
 
-void LiveBake::fail(const StopFlag &flag, const QString &message)
+void LiveBake::fail(const QString &message)
 {
-    if (flag != mStop)
-        return;
     stop();
     Q_EMIT failed(message);
 }

@@ -4,11 +4,10 @@
 #include "jobs/bakechoice.h"
 #include "model/plain/types.h"
 #include "views/gl/pictures.h"
+#include "views/ui/task.h"
 
 #include <QObject>
-#include <QThreadPool>
 
-#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -41,7 +40,6 @@ public:
     using Receiver = std::function<void(int tile, const QImage &picture)>;
 
     LiveBake(const Workspace &workspace, const ShownMap &shownMap, QObject *parent = nullptr);
-    ~LiveBake() override;
 
     //! \param map one of jobs::bakeMapNames(); the other maps and the files of the choice are not used
     void start(const jobs::BakeChoice &choice, const QString &map);
@@ -52,10 +50,10 @@ public:
     Receiver receive();
     void stop();
 
-    bool isOn() const { return mStop != nullptr; }
+    bool isOn() const { return mOn; }
     //! Empty while received pictures are shown.
     const QString &map() const { return mMap; }
-    bool isReceiving() const { return mBox != nullptr; }
+    bool isReceiving() const { return mReceived.isOpen(); }
     //! The points are not all traced yet.
     bool isRefining() const { return mRefining; }
     //! For the tiles in which the shown map lies; empty until there are some.
@@ -77,31 +75,30 @@ Q_SIGNALS:
     void failed(const QString &message);
 
 private:
-    using StopFlag = std::shared_ptr<std::atomic<bool>>;
     using TilePictures = std::map<int, std::vector<QImage>>; //!< the layers of each tile, see Pictures
 
     void refine(std::shared_ptr<const LiveBakeModel> model, int pass);
-    void takeOver(const StopFlag &flag, const std::shared_ptr<const LiveBakeModel> &model, int pass);
+    void takeOver(const std::shared_ptr<const LiveBakeModel> &model, int pass);
     void tellMissed(const LiveBakeModel &model);
     void layAgain();
-    void show(const StopFlag &flag, const TilePictures &tiles);
-    void showReceived();
+    void show(const TilePictures &tiles);
+    void showReceived(const std::map<int, QImage> &received);
     void followMap();
-    std::function<void(const QString &)> failing();
-    void fail(const StopFlag &flag, const QString &message);
+    void fail(const QString &message);
 
     const Workspace &mWorkspace;
     const ShownMap &mShownMap;
-    QThreadPool mThreads; //!< one thread traces rays, one fills pixels
-    StopFlag mStop;       //!< of what is under way; null: off
+    bool mOn = false;
+    Task mTracing;       //!< rays, from the surface
+    Task mLaying;        //!< what they found, into the shown map
+    bool mStale = false; //!< another map was shown since the laying began
     jobs::BakeChoice mChoice;
     QString mMap;
-    bool mRefining = false, mTold = false, mLaying = false, mStale = false;
+    bool mRefining = false, mTold = false;
     std::shared_ptr<const LiveBakeModel> mModel; //!< with samples; null until the first ones are there
-    class Box;
-    std::shared_ptr<Box> mBox; //!< null: nothing is received
-    UvMatrix mReceivedFor;     //!< the document's map that the received pictures are for
-    bool mFits = true;         //!< that it is shown
+    Inbox<std::map<int, QImage>> mReceived;      //!< the pictures of tiles; closed: nothing is received
+    UvMatrix mReceivedFor;                       //!< the document's map that the received pictures are for
+    bool mPicturesMatchMap = true;               //!< the shown map is that one
     Pictures mPictures;
     int mUpdates = 0;
 };

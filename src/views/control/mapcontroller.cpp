@@ -7,47 +7,20 @@
 #include "model/io/texturefiles.h"
 #include "solver/overlap/overlapseparation.h"
 #include "views/control/mapjobs.h"
-#include "views/control/picturejobs.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/transferjobs.h"
 #include "views/control/workspace.h"
 
 #include <QScopedValueRollback>
 
-#include <algorithm>
 #include <utility>
 
 namespace autocuts {
 
 namespace {
 
-//! Milliseconds without an edit after which the map is measured. Chosen by hand.
-constexpr int measureDelay = 250;
 //! Milliseconds without an edit after which a job begins again. Chosen by hand.
 constexpr int editDelay = 300;
-
-void putActiveFirst(std::vector<UvSet> &sets, const Document &document)
-{
-    const auto active = sets.begin() + document.activeUvSet();
-    std::rotate(sets.begin(), active, active + 1);
-}
-
-//! The document, its active UV set being the first one.
-DocumentState activeFirst(const Document &document)
-{
-    DocumentState model = document.state();
-    putActiveFirst(model.scene.uvSets, document);
-    return model;
-}
-
-//! Not all of the document: it is copied after each edit.
-MeasuredModel modelToMeasure(const Document &document)
-{
-    MeasuredModel model{document.state().scene, document.marks().faceFlags, document.packingSettings(),
-                        document.weightedMesh()};
-    putActiveFirst(model.scene.uvSets, document);
-    return model;
-}
 
 //! The input of a job that may change only these faces.
 MapInput limited(MapInput input, JobReach reach, const QList<int> &faces)
@@ -74,60 +47,37 @@ MapJobResult ofReach(MapJobResult result, JobReach reach)
 
 MapController::MapController(Workspace &workspace, SolverController &solver, ShownMap &shownMap,
                              QObject *parent)
-    : QObject(parent), mWorkspace(workspace), mSolver(solver), mPreview(workspace, shownMap)
+    : QObject(parent), mWorkspace(workspace), mSolver(solver), mPreview(workspace, shownMap),
+      mMeasuring(workspace)
 {
-    mAgainSoon.setSingleShot(true);
-    mAgainSoon.setInterval(editDelay);
-    connect(&mAgainSoon, &QTimer::timeout, this, &MapController::takeUpEdits);
+    mRestartSoon.setSingleShot(true);
+    mRestartSoon.setInterval(editDelay);
+    connect(&mRestartSoon, &QTimer::timeout, this, &MapController::takeUpEdits);
     connect(&mJobs, &JobRunner::busyChanged, this, [this] {
         // Its map stays in the views until the first one of the new beginning.
-        if (!mJobs.isBusy() && !mBeginsAgain)
+        if (!mJobs.isBusy() && !mRestarts)
             mPreview.end();
     });
-    for (JobRunner *jobs : {&mJobs, &mMeasuring})
-        connect(jobs, &JobRunner::failed, this, [this](const QString &message) { Q_EMIT failed(message); });
-    mMeasureSoon.setSingleShot(true);
-    mMeasureSoon.setInterval(measureDelay);
-    connect(&mMeasureSoon, &QTimer::timeout, this, &MapController::measure);
+    const auto tell = [this](const QString &message) { Q_EMIT failed(message); };
+    connect(&mJobs, &JobRunner::failed, this, tell);
+    connect(&mMeasuring, &MapMeasuring::failed, this, tell);
+    connect(&mMeasuring, &MapMeasuring::changed, this, &MapController::figuresChanged);
     connect(&workspace, &Workspace::documentReplaced, this, [this] {
-        mAgain = nullptr;
-        mThen = nullptr;
+        mRestart = nullptr;
+        mOnSuccess = nullptr;
         mReachOfHidden.reset();
         mJobs.abandon();
-        mMeasuring.abandon();
-        mFigures.reset();
         mHardShare.reset();
-        mMeasureSoon.start();
         mPrices.reset();
-        Q_EMIT figuresChanged();
         Q_EMIT pricesChanged();
     });
     connect(&workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
-        const bool textureSize =
-            event.type == ChangeEvent::Type::PackingSettings &&
-            (static_cast<const PackingSettingsEvent &>(event).properties & TextureSizeProperty);
-        const bool stacks = event.type == ChangeEvent::Type::IslandFlag &&
-                            (static_cast<const IslandFlagEvent &>(event).properties & IslandFlagEvent::Stack);
-        const bool sizes = event.type == ChangeEvent::Type::TexelWeight;
-        const bool sharing = event.type == ChangeEvent::Type::SharedMeshes;
-        mFigureChanges += stacks || sizes || sharing;
-        if (mAgain && mJobs.isBusy())
-            mAgainSoon.start();
+        if (mRestart && mJobs.isBusy())
+            mRestartSoon.start();
         endUselessJob();
-        if (textureSize || stacks || sizes || sharing || event.type == ChangeEvent::Type::Uv ||
-            event.type == ChangeEvent::Type::UvSet) {
-            mMeasureSoon.start();
-            Q_EMIT figuresChanged();
+        if (mMeasuring.dependOn(event))
             Q_EMIT pricesChanged();
-        }
     });
-}
-
-bool MapController::figuresAreFresh() const
-{
-    return mFigures && mWorkspace.hasMapOf(mFigures->token) && mFigures->figureChanges == mFigureChanges &&
-           mFigures->textureSize == mWorkspace.document()->packingSettings().textureSize &&
-           mFigures->textureHeight == mWorkspace.document()->packingSettings().height();
 }
 
 //! \pre no solve runs, so that its result is the one from which the map was made
@@ -151,19 +101,17 @@ MapInput MapController::input() const
     return input;
 }
 
-void MapController::startJob(const QString &title,
-                             std::function<MapJobResult(const MapInput &, JobControl &)> work,
-                             bool replacesMap)
+void MapController::startJob(const QString &title, Work work, bool replacesMap)
 {
     if (!mWorkspace.document() || mJobs.isBusy())
         return;
-    mAgain = nullptr;
-    mThen = nullptr;
+    mRestart = nullptr;
+    mOnSuccess = nullptr;
     mSolver.whenPaused([this, title, replacesMap, work = std::move(work)] {
         if (!mWorkspace.document() || mJobs.isBusy())
             return;
         const auto given = std::make_shared<const MapInput>(input());
-        mGiven = given->snapshot.token;
+        mInputToken = given->snapshot.token;
         mReplacesMap = replacesMap;
         mJobs.start(
             title,
@@ -213,7 +161,7 @@ void MapController::applyResult(const MapJobResult &result)
             return;
         }
     }
-    const std::function<void()> then = std::exchange(mThen, nullptr);
+    const std::function<void()> then = std::exchange(mOnSuccess, nullptr);
     if (result.textures && !pushTextures(result))
         return;
     if (!result.problem.isEmpty())
@@ -297,16 +245,16 @@ void MapController::beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, c
             return ofReach(unwrapJob(limited(input, reach, faces), quality, better, control), reach);
         },
         true);
-    mAgain = [this, quality, reach, faces] { beginUnwrap(quality, reach, faces); };
+    mRestart = [this, quality, reach, faces] { beginUnwrap(quality, reach, faces); };
 }
 
 //! Where the map was edited, by undo for example, a job's map or light would not be used in the end.
 void MapController::endUselessJob()
 {
-    if (!mReplacesMap || !mJobs.isBusy() || mWorkspace.hasMapOf(mGiven))
+    if (!mReplacesMap || !mJobs.isBusy() || mWorkspace.hasMapOf(mInputToken))
         return;
-    mAgain = nullptr;
-    mThen = nullptr;
+    mRestart = nullptr;
+    mOnSuccess = nullptr;
     const QString title = mJobs.title();
     mJobs.abandon();
     // Later: what was said of the map before ends with this edit.
@@ -319,21 +267,21 @@ void MapController::endUselessJob()
 void MapController::takeUpEdits()
 {
     const Document *document = mWorkspace.document();
-    if (!mAgain || !document)
+    if (!mRestart || !document)
         return;
     const StateToken now = document->token();
-    if (now.topology != mGiven.topology || (mJobs.isBusy() && now.uv != mGiven.uv) ||
-        (now.steering == mGiven.steering && now.layout == mGiven.layout))
+    if (now.topology != mInputToken.topology || (mJobs.isBusy() && now.uv != mInputToken.uv) ||
+        (now.steering == mInputToken.steering && now.layout == mInputToken.layout))
         return;
-    const QScopedValueRollback again(mBeginsAgain, true);
+    const QScopedValueRollback again(mRestarts, true);
     mJobs.abandon();
-    std::exchange(mAgain, nullptr)();
+    std::exchange(mRestart, nullptr)();
 }
 
 void MapController::cancel()
 {
-    mAgain = nullptr;
-    mThen = nullptr;
+    mRestart = nullptr;
+    mOnSuccess = nullptr;
     mJobs.cancel();
 }
 
@@ -416,9 +364,9 @@ void MapController::separateGreedily()
     });
 }
 
-void MapController::addLightmapSet()
+void MapController::addLightmapSet(const std::function<void()> &then)
 {
-    mSolver.whenPaused([this] {
+    mSolver.whenPaused([this, then] {
         Document *document = mWorkspace.document();
         if (!document || mJobs.isBusy())
             return;
@@ -429,6 +377,7 @@ void MapController::addLightmapSet()
             startJob(tr("Making a map for lightmaps"), lightmapJob);
         else
             unwrap(mQuality);
+        mOnSuccess = then;
     });
 }
 
@@ -441,75 +390,6 @@ void MapController::transferUvs(const jobs::TransferChoice &choice)
              [choice, sets = document->uvSets()](const MapInput &input, JobControl &control) {
                  return transferUvsJob(input, choice, sets, control);
              });
-}
-
-void MapController::bake(const jobs::BakeChoice &choice)
-{
-    const Document *document = mWorkspace.document();
-    if (!document || document->uvSets().empty())
-        return;
-    startJob(tr("Baking"),
-             [choice, model = activeFirst(*document)](const MapInput &input, JobControl &control) {
-                 return bakeJob(model, input, choice, control);
-             });
-}
-
-void MapController::carryTextures(const jobs::CarryChoice &choice)
-{
-    // The textures are for the map that a running solve leaves.
-    mSolver.whenPaused([this, choice] {
-        const Document *document = mWorkspace.document();
-        if (!document)
-            return;
-        const auto given = std::make_shared<const CarryInput>(
-            CarryInput{document->state(), mWorkspace.recorder().pending()});
-        startJob(tr("Carrying textures over"), [choice, given](const MapInput &input, JobControl &control) {
-            return carryJob(*given, input.sessionPath, choice, control);
-        });
-    });
-}
-
-void MapController::bakeLight(const jobs::LightChoice &choice,
-                              const std::function<void(int tile, const QImage &picture)> &shown)
-{
-    mSolver.whenPaused([this, choice, shown] {
-        Document *document = mWorkspace.document();
-        if (!document || mJobs.isBusy() || !hasUvs(*document))
-            return;
-        if (choice.uvSet == jobs::LightChoice::newSet) {
-            addLightmapSet();
-            mThen = [this, choice, shown] { startLightBake(choice, shown, true); };
-            return;
-        }
-        const bool other =
-            choice.uvSet != document->activeUvSet() && choice.uvSet < std::ssize(document->uvSets());
-        if (other)
-            pushCommand(std::make_unique<ChooseUvSet>(*document, choice.uvSet));
-        startLightBake(choice, shown, other);
-    });
-}
-
-//! Bakes into the active UV set. \param other it is not the one that was active before: that is said
-void MapController::startLightBake(const jobs::LightChoice &choice,
-                                   const std::function<void(int tile, const QImage &picture)> &shown,
-                                   bool other)
-{
-    const Document &document = *mWorkspace.document();
-    // The textures of materials are for the first UV set of the file.
-    const int textureSet = document.activeUvSet() == 0 ? 0 : 1;
-    const QString set = other ? document.uvSets()[document.activeUvSet()].name : QString();
-    startJob(
-        tr("Baking light"),
-        [choice, model = activeFirst(document), textureSet, set, shown](const MapInput &input,
-                                                                        JobControl &control) {
-            MapJobResult result = lightBakeJob(model, textureSet, input, choice, shown, control);
-            for (QString *text : {&result.message, &result.problem}) {
-                if (!set.isEmpty() && !text->isEmpty())
-                    *text = tr("%1. The UV set %2 is the active one now").arg(*text, set);
-            }
-            return result;
-        },
-        choice.uvSet == jobs::LightChoice::newSet); // without that set, the picture is for nothing
 }
 
 void MapController::equalizeDensity()
@@ -559,23 +439,6 @@ void MapController::stitch(const QList<int> &edges)
     startJob(tr("Stitching"), [edges](const MapInput &input, JobControl &control) {
         return stitchJob(input, edges, control);
     });
-}
-
-void MapController::measure()
-{
-    mMeasuring.abandon(); // the map or the texture size that is being measured is outdated
-    const Document *document = mWorkspace.document();
-    if (!document || figuresAreFresh())
-        return;
-    mMeasuring.start(
-        tr("Measuring"),
-        [model = modelToMeasure(*document)](JobControl &control) { return measuredMap(model, control); },
-        [this, token = document->token(), figureChanges = mFigureChanges](MapFigures figures) {
-            mFigures = std::move(figures);
-            mFigures->token = token;
-            mFigures->figureChanges = figureChanges;
-            Q_EMIT figuresChanged();
-        });
 }
 
 } // namespace autocuts

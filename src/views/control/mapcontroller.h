@@ -7,10 +7,9 @@
 #include "solver/unwrap/unwrapquality.h"
 #include "views/control/jobpreview.h"
 #include "views/control/jobrunner.h"
-#include "views/control/mapfigures.h"
+#include "views/control/mapmeasuring.h"
 
 #include <Eigen/Geometry>
-#include <QImage>
 #include <QList>
 #include <QObject>
 #include <QTimer>
@@ -28,11 +27,8 @@ struct MapInput;
 struct MapJobResult;
 struct PackTarget;
 namespace jobs {
-struct BakeChoice;
-struct CarryChoice;
-struct LightChoice;
 struct TransferChoice;
-} // namespace jobs
+}
 
 //! Which islands are packed. The others keep their places and are obstacles.
 enum class PackScope { All, Selection };
@@ -60,19 +56,21 @@ public:
     bool makesMap() const { return mJobs.isBusy() && mReplacesMap; }
 
     //! The figures of the newest measured map; null before the first measurement.
-    const MapFigures *figures() const { return mFigures ? &*mFigures : nullptr; }
+    const MapFigures *figures() const { return mMeasuring.figures(); }
     //! True when the figures belong to the document's current map.
-    bool figuresAreFresh() const;
+    bool figuresAreFresh() const { return mMeasuring.areFresh(); }
 
     //! The prices of the seams of the document's current map; null when they are not known.
     const unwrap::SeamPrices *seamPrices() const;
     //! Share of the model's area in parts that the last unwrap took for hard surfaces; nothing: unknown.
     std::optional<double> hardShare() const { return mHardShare; }
 
-    //! Bakes light into a UV set, which becomes the active one; where the choice wants a new one, it is made
-    //! before. \param shown receives pictures of tiles, from coarse to fine, on another thread
-    void bakeLight(const jobs::LightChoice &choice,
-                   const std::function<void(int tile, const QImage &picture)> &shown);
+    //! The work of a job, on another thread.
+    using Work = std::function<MapJobResult(const MapInput &, JobControl &)>;
+    //! Starts a job for the document as it is when a running solve has paused.
+    //! \param replacesMap it makes a map in place of the document's, or a picture for a map made for that: it
+    //! ends when the map is edited
+    void startJob(const QString &title, Work work, bool replacesMap = false);
 
     //! Asked before a job that would change all faces while some are hidden; once for each model, until all
     //! faces are shown again. Without it such a job changes all faces. \param ask returns All, Shown, or
@@ -111,13 +109,10 @@ public Q_SLOTS:
     //! cover themselves (figure 11, right).
     void separateGreedily();
     //! Adds a copy of the active UV set and makes it a map for lightmaps; without UVs, an unwrapped one.
-    void addLightmapSet();
+    //! \param then what follows when the map is made
+    void addLightmapSet(const std::function<void()> &then = {});
     //! Brings the UVs of another file, UV set or object onto the model.
     void transferUvs(const jobs::TransferChoice &choice);
-    //! Bakes pictures for the map and writes them; the map stays as it is.
-    void bake(const jobs::BakeChoice &choice);
-    //! Makes the textures of the materials new for the map, as files, and gives them to the materials.
-    void carryTextures(const jobs::CarryChoice &choice);
     //! Gives every island the same texel density. \pre no job is running
     void equalizeDensity();
     //! Minimises the distortion of the selected faces while all others stay. Pins and locks are respected.
@@ -153,39 +148,29 @@ private:
     MapInput input() const;
     std::optional<JobReach> asked(JobReach reach);
     QList<int> facesOf(JobReach reach) const;
-    //! \param replacesMap it makes a map in place of the document's, or a picture for a map made for that: it
-    //! ends when the map is edited
-    void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work,
-                  bool replacesMap = false);
     void beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces);
     void takeUpEdits();
     void endUselessJob();
     void applyResult(const MapJobResult &result);
-    void startLightBake(const jobs::LightChoice &choice,
-                        const std::function<void(int tile, const QImage &picture)> &shown, bool other);
     bool pushMap(const MapJobResult &result);
     bool pushTextures(const MapJobResult &result);
     void startPacking(const PackTarget &target);
-    void measure();
 
     Workspace &mWorkspace;
     SolverController &mSolver;
     JobRunner mJobs;
     JobPreview mPreview;
-    StateToken mGiven;            //!< token of the state that the job was given
-    std::function<void()> mAgain; //!< begins the job again; null: it does not take up edits
-    bool mReplacesMap = false;    //!< the running job does, see startJob()
-    QTimer mAgainSoon;            //!< one new beginning for all edits of a gesture
-    bool mBeginsAgain = false;
+    StateToken mInputToken;         //!< token of the state that the job was given
+    std::function<void()> mRestart; //!< begins the job again; null: it does not take up edits
+    bool mReplacesMap = false;      //!< the running job does, see startJob()
+    QTimer mRestartSoon;            //!< one new beginning for all edits of a gesture
+    bool mRestarts = false;
     unwrap::UnwrapQuality mQuality = unwrap::UnwrapQuality::Standard;
     HiddenQuestion mAskHidden;
     std::optional<JobReach> mReachOfHidden; //!< what was answered
-    std::function<void()> mThen;            //!< what follows when the job has made its map
-    JobRunner mMeasuring;
-    QTimer mMeasureSoon;
-    std::optional<MapFigures> mFigures;
+    std::function<void()> mOnSuccess;       //!< what follows when the job has made its map
+    MapMeasuring mMeasuring;
     std::optional<double> mHardShare;
-    int mFigureChanges = 0; //!< how often stacks and texel weights changed
     std::optional<unwrap::SeamPrices> mPrices;
     StateToken mPricesToken; //!< of the state that they were made from
 };

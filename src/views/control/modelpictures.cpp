@@ -4,7 +4,6 @@
 #include "views/control/workspace.h"
 #include "views/gl/picturereading.h"
 #include "views/gl/texturelayers.h"
-#include "views/ui/pooltask.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -162,12 +161,6 @@ ModelPictures::ModelPictures(const Workspace &workspace, const ViewState &view, 
     connect(&mWatcher, &QFileSystemWatcher::directoryChanged, this, lookSoon);
 }
 
-ModelPictures::~ModelPictures()
-{
-    if (mLoading)
-        *mLoading = true;
-}
-
 int ModelPictures::count() const
 {
     const Document *document = mWorkspace.document();
@@ -194,9 +187,7 @@ bool ModelPictures::hasSets() const
 
 void ModelPictures::forget()
 {
-    if (mLoading)
-        *mLoading = true;
-    mLoading.reset();
+    mLoading.drop();
     mMesh.reset();
     mPictures = {};
     mSetOfMaterial.clear();
@@ -218,43 +209,30 @@ void ModelPictures::loadIfShown()
     const Scene &scene = document->state().scene;
     if (mMesh == scene.mesh && mPattern == pattern && !mStale)
         return;
-    if (mLoading)
-        *mLoading = true;
     if (mPattern != pattern)
         mPictures = {}; // of another kind
     mMesh = scene.mesh;
     mPattern = pattern;
     mStale = false;
-    mLoading = std::make_shared<std::atomic<bool>>(false);
-    // The result is passed to the GUI thread, and ignored there when something else is wanted meanwhile.
-    const auto isWanted = [self = QPointer<ModelPictures>(this), stop = mLoading] {
-        return self && self->mLoading == stop;
-    };
-    runOnPool(
-        backgroundPool(),
-        [wanted = Wanted::by(document->state(), pattern == Pattern::Materials), path = scene.path,
-         stop = mLoading]() mutable {
+    mLoading.start(
+        [wanted = Wanted::by(document->state(), pattern == Pattern::Materials),
+         path = scene.path](const std::atomic<bool> &stop) mutable {
             Loaded loaded;
             loaded.setOfMaterial = wanted.setOfMaterial;
             wanted.resolve(path);
             loaded.paths = wanted.paths();
             loaded.states = statesOf(loaded.paths); // before they are read: a later change is seen then
             loaded.pictures =
-                readyForUpload(wanted.onlyColors ? readPictures(wanted.colors(), loaded.problems, stop.get())
-                                                 : readTextureSets(wanted.sets, loaded.problems, stop.get()),
-                               stop.get());
+                readyForUpload(wanted.onlyColors ? readPictures(wanted.colors(), loaded.problems, &stop)
+                                                 : readTextureSets(wanted.sets, loaded.problems, &stop),
+                               &stop);
             for (const TextureSetRequest &set : wanted.sets)
                 loaded.haveNormals = loaded.haveNormals || set.channels.contains(TextureChannel::Normal) ||
                                      set.channels.contains(TextureChannel::Height);
             return loaded;
         },
-        [this, isWanted](const Loaded &loaded) {
-            if (isWanted())
-                takeOver(loaded);
-        },
-        [this, isWanted](const QString &message) {
-            if (!isWanted())
-                return;
+        [this](const Loaded &loaded) { takeOver(loaded); },
+        [this](const QString &message) {
             Loaded nothing;
             nothing.problems << message;
             takeOver(nothing);
@@ -264,7 +242,6 @@ void ModelPictures::loadIfShown()
 
 void ModelPictures::takeOver(const Loaded &loaded)
 {
-    mLoading.reset();
     mPictures = loaded.pictures;
     mSetOfMaterial = loaded.setOfMaterial;
     mHaveNormals = loaded.haveNormals;
@@ -334,7 +311,7 @@ std::vector<ModelPictures::FileState> ModelPictures::statesOf(const QStringList 
 
 void ModelPictures::lookForChanges()
 {
-    if (mLoading || mPaths.isEmpty())
+    if (isLoading() || mPaths.isEmpty())
         return;
     watch(mPaths); // a file that was replaced is no longer watched
     if (statesOf(mPaths) == mStates)

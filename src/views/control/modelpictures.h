@@ -5,6 +5,7 @@
 #include "views/control/scenelight.h"
 #include "views/gl/pictures.h"
 #include "views/state/viewstate.h"
+#include "views/ui/task.h"
 
 #include <QDateTime>
 #include <QFileSystemWatcher>
@@ -29,13 +30,12 @@ class ModelPictures final : public QObject
 
 public:
     ModelPictures(const Workspace &workspace, const ViewState &view, QObject *parent = nullptr);
-    ~ModelPictures() override;
 
     //! How many materials of the model have a texture, whether it can be shown or not.
     int count() const;
     //! True when a material has pictures of more than its base colour.
     bool hasSets() const;
-    bool isLoading() const { return mLoading != nullptr; }
+    bool isLoading() const { return mLoading.isRunning(); }
     //! Empty until they are loaded; while they are loaded again, those from before.
     const Pictures &pictures() const { return mPictures; }
     //! True when a picture of normals is among those that are loaded.
@@ -82,10 +82,10 @@ private:
     const Workspace &mWorkspace;
     const ViewState &mView;
     SceneLight mLight;
-    std::shared_ptr<const MeshData> mMesh;       //!< of the model that they belong to; null: not asked for
-    Pattern mPattern = Pattern::None;            //!< for which they were asked for
-    bool mStale = false;                         //!< they are to be loaded again
-    std::shared_ptr<std::atomic<bool>> mLoading; //!< ends the loading; null when nothing is loading
+    std::shared_ptr<const MeshData> mMesh; //!< of the model that they belong to; null: not asked for
+    Pattern mPattern = Pattern::None;      //!< for which they were asked for
+    bool mStale = false;                   //!< they are to be loaded again
+    Task mLoading;
     Pictures mPictures;
     std::vector<int> mSetOfMaterial; //!< first of faces without a material; -1: none
     int mCommonSet = -1;             //!< of the material that most faces have

@@ -1,21 +1,12 @@
 #include "views/control/scenelight.h"
 
 #include "model/io/picturefiles.h"
-#include "views/ui/pooltask.h"
-
-#include <QPointer>
 
 namespace autocuts {
 
 SceneLight::SceneLight(const ViewState &view, QObject *parent) : QObject(parent), mView(view)
 {
     connect(&view, &ViewState::optionsChanged, this, &SceneLight::prepare);
-}
-
-SceneLight::~SceneLight()
-{
-    if (mLoading)
-        *mLoading = true;
 }
 
 void SceneLight::prepare()
@@ -28,21 +19,13 @@ void SceneLight::prepare()
     mWanted = true;
     mKind = options.surroundings;
     mPath = path;
-    if (mLoading)
-        *mLoading = true;
-    mLoading = std::make_shared<std::atomic<bool>>(false);
-    // The result is passed to the GUI thread, and ignored there when something else is wanted meanwhile.
     struct Light
     {
         std::shared_ptr<const Environment> environment;
         QString problem;
     };
-    const auto isWanted = [self = QPointer<SceneLight>(this), stop = mLoading] {
-        return self && self->mLoading == stop;
-    };
-    runOnPool(
-        backgroundPool(),
-        [kind = mKind, path, stop = mLoading] {
+    mLoading.start(
+        [kind = mKind, path](const std::atomic<bool> &stop) {
             Light light;
             Picture panorama;
             if (kind != Surroundings::File) {
@@ -52,23 +35,16 @@ void SceneLight::prepare()
             } else {
                 light.problem = read.error().toString();
             }
-            light.environment = std::make_shared<const Environment>(prepareEnvironment(panorama, stop.get()));
+            light.environment = std::make_shared<const Environment>(prepareEnvironment(panorama, &stop));
             return light;
         },
-        [this, isWanted](Light light) {
-            if (isWanted())
-                takeOver(std::move(light.environment), light.problem);
-        },
-        [this, isWanted](const QString &message) {
-            if (isWanted())
-                takeOver(nullptr, message);
-        });
+        [this](Light light) { takeOver(std::move(light.environment), light.problem); },
+        [this](const QString &message) { takeOver(nullptr, message); });
     Q_EMIT changed();
 }
 
 void SceneLight::takeOver(std::shared_ptr<const Environment> environment, const QString &problem)
 {
-    mLoading.reset();
     if (environment && !environment->isEmpty())
         mEnvironment = std::move(environment);
     Q_EMIT changed();

@@ -3,6 +3,7 @@
 
 #include "views/gl/environment.h"
 #include "views/state/viewstate.h"
+#include "views/ui/task.h"
 
 #include <QObject>
 
@@ -17,9 +18,8 @@ class SceneLight final : public QObject
 
 public:
     explicit SceneLight(const ViewState &view, QObject *parent = nullptr);
-    ~SceneLight() override;
 
-    bool isLoading() const { return mLoading != nullptr; }
+    bool isLoading() const { return mLoading.isRunning(); }
     //! Empty until they are ready, then the last ones that could be read.
     const std::shared_ptr<const Environment> &environment() const { return mEnvironment; }
 
@@ -36,7 +36,7 @@ private:
     bool mWanted = false; //!< something was asked for
     Surroundings mKind = Surroundings::Studio;
     QString mPath;
-    std::shared_ptr<std::atomic<bool>> mLoading; //!< ends the loading; null when nothing is loading
+    Task mLoading;
     std::shared_ptr<const Environment> mEnvironment = std::make_shared<Environment>();
 };
 

@@ -3,16 +3,12 @@
 #include "model/io/fileclashes.h"
 
 #include <QBuffer>
-#include <QCoreApplication>
-
-#include <exception>
-#include <new>
 
 namespace autocuts {
 
 namespace {
 
-Result<SavedProject> write(ProjectWriter &writer, const SessionToSave &session, const QString &path)
+Result<SavedProject> writeSession(ProjectWriter &writer, const SessionToSave &session, const QString &path)
 {
     if (const Result<Done> fine = checkOutputs({path}, filesOfSession(session.state, {})); !fine)
         return fine.error();
@@ -28,61 +24,65 @@ Result<SavedProject> write(ProjectWriter &writer, const SessionToSave &session, 
     return saveProjectBytes(writer.bytes(session.state, extras), path);
 }
 
-Result<SavedProject> writeOrTell(ProjectWriter &writer, const SessionToSave &session, const QString &path)
-{
-    try {
-        return write(writer, session, path);
-    } catch (const std::bad_alloc &) {
-        return Error{SessionSaver::tr("there is not enough memory to save the session"), path, 0,
-                     SessionSaver::tr("Close other programs")};
-    } catch (const std::exception &e) {
-        return Error{QString::fromUtf8(e.what()), path, 0, {}};
-    }
-}
-
 } // namespace
 
-SessionSaver::SessionSaver(QObject *parent) : QObject(parent)
-{
-    // A pool with one thread runs its tasks in order.
-    mThread.setMaxThreadCount(1);
-}
+SessionSaver::SessionSaver(QObject *parent) : QObject(parent) {}
 
 SessionSaver::~SessionSaver()
 {
-    mThread.waitForDone();
+    mTells = false;
+    waitForDone();
 }
 
 void SessionSaver::save(SessionToSave session, const QString &path, const std::optional<FileStamp> &expected,
                         Saved saved)
 {
-    ++mSaving;
-    mThread.start([this, session = std::move(session), path, expected, saved = std::move(saved)] {
-        SessionSaved result;
-        const FileStamp there = FileStamp::of(path);
-        result.wasGone = expected && expected->exists() && !there.exists();
-        result.isForeign = expected && there.exists() && there != *expected;
-        if (!result.isForeign)
-            result.result = writeOrTell(mWriter, session, path);
-        result.stamp = FileStamp::of(path);
-        if (session.locks && !result.isForeign && result.result)
-            result.lock = std::make_shared<SessionLock>(path);
-        QMetaObject::invokeMethod(
-            this,
-            [this, saved, result = std::move(result)] {
-                --mSaving;
-                saved(result);
-            },
-            Qt::QueuedConnection);
-    });
+    mOrders.push_back({std::move(session), path, expected, std::move(saved)});
+    if (mOrders.size() == 1)
+        writeNext();
+}
+
+void SessionSaver::writeNext()
+{
+    mWriting.start([this, &order = mOrders.front()](const std::atomic<bool> &) { return write(order); },
+                   [this](const SessionSaved &result) { end(result); },
+                   [this](const QString &message) {
+                       SessionSaved failed;
+                       failed.result = Error{message, mOrders.front().path, 0, {}};
+                       failed.stamp = FileStamp::of(mOrders.front().path);
+                       end(failed);
+                   });
+}
+
+//! On the thread of mWriting.
+SessionSaved SessionSaver::write(const Order &order)
+{
+    SessionSaved saved;
+    const FileStamp there = FileStamp::of(order.path);
+    saved.wasGone = order.expected && order.expected->exists() && !there.exists();
+    saved.isForeign = order.expected && there.exists() && there != *order.expected;
+    if (!saved.isForeign)
+        saved.result = writeSession(mWriter, order.session, order.path);
+    saved.stamp = FileStamp::of(order.path);
+    if (order.session.locks && !saved.isForeign && saved.result)
+        saved.lock = std::make_shared<SessionLock>(order.path);
+    return saved;
+}
+
+void SessionSaver::end(const SessionSaved &result)
+{
+    const Saved saved = std::move(mOrders.front().saved);
+    mOrders.pop_front();
+    if (!mOrders.empty())
+        writeNext();
+    if (mTells)
+        saved(result);
 }
 
 void SessionSaver::waitForDone()
 {
-    while (isBusy()) {
-        mThread.waitForDone();
-        QCoreApplication::sendPostedEvents(this, QEvent::MetaCall);
-    }
+    while (isBusy())
+        mWriting.wait();
 }
 
 } // namespace autocuts

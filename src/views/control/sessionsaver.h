@@ -4,11 +4,12 @@
 #include "commands/journalrecorder.h"
 #include "model/io/projectfile.h"
 #include "model/io/sessionlock.h"
+#include "views/ui/task.h"
 
 #include <QImage>
 #include <QObject>
-#include <QThreadPool>
 
+#include <deque>
 #include <functional>
 
 namespace autocuts {
@@ -49,14 +50,26 @@ public:
     //! \param expected another file is not replaced; nothing: any file is
     void save(SessionToSave session, const QString &path, const std::optional<FileStamp> &expected,
               Saved saved);
-    bool isBusy() const { return mSaving > 0; }
+    bool isBusy() const { return mWriting.isRunning(); }
     //! Waits until everything is written and all callbacks have been called.
     void waitForDone();
 
 private:
-    QThreadPool mThread;
-    ProjectWriter mWriter; //!< used on that thread only
-    int mSaving = 0;
+    struct Order
+    {
+        SessionToSave session;
+        QString path;
+        std::optional<FileStamp> expected;
+        Saved saved;
+    };
+    SessionSaved write(const Order &order);
+    void writeNext();
+    void end(const SessionSaved &result);
+
+    std::deque<Order> mOrders; //!< the first one is being written
+    ProjectWriter mWriter;     //!< used by mWriting only
+    Task mWriting;
+    bool mTells = true;
 };
 
 } // namespace autocuts

@@ -4,7 +4,6 @@
 #include "model/document/document.h"
 #include "views/control/bakemaptexts.h"
 #include "views/ui/dialogsize.h"
-#include "views/ui/pooltask.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 #include "views/ui/reasons.h"
@@ -309,30 +308,20 @@ void BakeDialog::sourceChanged()
 void BakeDialog::proposeCage()
 {
     endMeasuring();
-    mMeasuring = std::make_shared<std::atomic<bool>>(false);
-    const auto isWanted = [self = QPointer<BakeDialog>(this), stop = mMeasuring] {
-        return self && self->mMeasuring == stop;
-    };
     // Not a job of the dialog: that would keep it from closing until the model is read.
-    runOnPool(
-        backgroundPool(),
-        [model = mModel, high = choice().high, stop = mMeasuring] {
-            return jobs::proposedCage(model, high, JobContext(stop.get()));
+    mMeasuring.start(
+        [model = mModel, high = choice().high](const std::atomic<bool> &stop) {
+            return jobs::proposedCage(model, high, JobContext(&stop));
         },
-        [this, isWanted](const Result<double> &cage) {
-            if (isWanted())
-                takeCage(cage);
-        },
-        [this, isWanted](const QString &message) {
-            if (isWanted())
-                takeCage(Error{message, choice().high, 0, {}});
+        [this](const Result<double> &cage) { takeCage(cage); },
+        [this](const QString &message) {
+            takeCage(Error{message, choice().high, 0, {}});
         });
     showState();
 }
 
 void BakeDialog::takeCage(const Result<double> &cage)
 {
-    mMeasuring.reset();
     if (cage) {
         const QSignalBlocker blocker(mCage); // not typed
         mCage->setValue(100 * cage.value());
@@ -352,9 +341,7 @@ void BakeDialog::cageTyped()
 
 void BakeDialog::endMeasuring()
 {
-    if (mMeasuring)
-        *mMeasuring = true;
-    mMeasuring.reset();
+    mMeasuring.drop();
     mMeasured.clear();
     mNotMeasured.clear();
 }
@@ -366,7 +353,7 @@ QString BakeDialog::cageNote() const
         return tr("Occlusion has no cage: it is that of this model by itself");
     if (!mCage->isEnabled())
         return {};
-    if (mMeasuring)
+    if (mMeasuring.isRunning())
         return tr("Measuring how far the models are apart...");
     if (!mNotMeasured.isEmpty())
         return mNotMeasured;
@@ -388,11 +375,11 @@ void BakeDialog::showState()
         enableOrSay(widget, detailed, needsModel);
     enableOrSay(mCage, detailed && choice().cageFile.isEmpty(),
                 detailed ? tr("The cage file says how far rays go") : needsModel);
-    enableOrSay(mPropose, mCage->isEnabled() && !mMeasuring && QFileInfo(choice().high).isFile(),
-                !detailed             ? needsModel
-                : mMeasuring          ? tr("Measuring how far the models are apart...")
-                : !mCage->isEnabled() ? tr("The cage file says how far rays go")
-                                      : tr("Only measured for a model in a file"));
+    enableOrSay(mPropose, mCage->isEnabled() && !mMeasuring.isRunning() && QFileInfo(choice().high).isFile(),
+                !detailed                ? needsModel
+                : mMeasuring.isRunning() ? tr("Measuring how far the models are apart...")
+                : !mCage->isEnabled()    ? tr("The cage file says how far rays go")
+                                         : tr("Only measured for a model in a file"));
     mCageNote->setText(cageNote());
     mCageNote->setVisible(!mCageNote->text().isEmpty());
     const QString source = sourceProblem(), target = targetProblem();

@@ -4,10 +4,10 @@
 #include "jobs/bakechoice.h"
 #include "model/document/documentstate.h"
 #include "model/document/result.h"
+#include "views/ui/task.h"
 
 #include <QDialog>
 
-#include <atomic>
 #include <memory>
 
 class QCheckBox;
@@ -83,8 +83,8 @@ private:
     bool mOwnCage;     //!< the user has typed it
     QString mMeasured; //!< the detailed model whose cage is shown; empty: none
     QStringList mReplaceable;
-    QString mNotMeasured;                          //!< why no cage is proposed
-    std::shared_ptr<std::atomic<bool>> mMeasuring; //!< ends it; null: nothing is measured
+    QString mNotMeasured; //!< why no cage is proposed
+    Task mMeasuring;      //!< how far the models are apart
 };
 
 } // namespace autocuts

@@ -4,6 +4,7 @@
 #include "link/framereader.h"
 #include "link/linkmap.h"
 #include "model/plain/statetoken.h"
+#include "views/ui/task.h"
 
 #include <QObject>
 #include <QTimer>
@@ -53,10 +54,11 @@ public:
     //! What the program shares with the document. Who changes it raises the revision.
     link::SharedModel shared;
     int revision = 0;
-    bool asks = false;      //!< it has asked for a map
-    bool isSending = false; //!< what it gets is being put together
-    bool isLate = false;    //!< something has changed since then
-    bool wasLeft = false;   //!< it knows that the document has another model
+    bool asks = false;    //!< it has asked for a map
+    Task sending;         //!< puts together what it gets
+    Task reading;         //!< the model that it has handed over
+    bool isLate = false;  //!< something has changed since then
+    bool wasLeft = false; //!< it knows that the document has another model
     //! What was compared last with what it has.
     struct Seen
     {

@@ -3,7 +3,6 @@
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/link/linkmerging.h"
-#include "views/ui/pooltask.h"
 
 #include <QPointer>
 
@@ -63,7 +62,7 @@ void LinkSending::sendNow()
         } else if (!document || document->state().scene.mesh != client->shared.mesh) {
             client->asks = false; // there is nothing to answer with
             tellLeft(*client);
-        } else if (client->isSending || !client->isIdle()) {
+        } else if (client->sending.isRunning() || !client->isIdle()) {
             client->isLate = true;
         } else if (client->asks || client->mode() != LinkMode::Request) {
             sendTo(*client);
@@ -107,31 +106,23 @@ void LinkSending::sendTo(LinkClient &client)
                                solver.isRunning() || solver.isPausing(), client.revision};
     if (std::exchange(client.seen, now) == now && !client.asks)
         return;
-    client.isSending = true;
-    auto work = [shared = client.shared, send = mapFor(client)]() {
+    auto work = [shared = client.shared, send = mapFor(client)](const std::atomic<bool> &) {
         Compared compared{shared, {}};
         compared.frames = link::messagesFor(compared.shared, send);
         return compared;
     };
     client.asks = false;
-    const QPointer<LinkSending> self(this);
-    const QPointer<LinkClient> to(&client);
-    const auto take = [self, to, revision = client.revision](Compared compared) {
-        if (!self || !to)
-            return;
-        to->isSending = false;
+    const auto take = [self = QPointer(this), to = &client, revision = client.revision](Compared compared) {
         if (to->revision == revision) {
             to->shared = std::move(compared.shared);
             to->sendBytes(compared.frames);
             to->flush();
         }
-        if (std::exchange(to->isLate, false) || to->revision != revision)
+        if (self && (std::exchange(to->isLate, false) || to->revision != revision))
             self->sendSoon();
     };
-    runOnPool(backgroundPool(), std::move(work), take, [to](const QString &problem) {
-        if (to)
-            to->end(link::linkError(problem));
-    });
+    client.sending.start(std::move(work), take,
+                         [to = &client](const QString &problem) { to->end(link::linkError(problem)); });
 }
 
 } // namespace autocuts

@@ -5,7 +5,6 @@
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/link/linkmerging.h"
-#include "views/ui/pooltask.h"
 
 #include <QGuiApplication>
 #include <QJsonArray>
@@ -65,23 +64,20 @@ LinkTaking::LinkTaking(const StudioContext &context, std::function<bool()> mayLe
 void LinkTaking::take(LinkClient *client, const link::Message &message)
 {
     const Document *document = mContext.workspace.document();
-    auto work = [message, own = document ? document->state().scene : Scene()]() -> Result<Handed> {
+    auto work = [message, own = document ? document->state().scene
+                                         : Scene()](const std::atomic<bool> &) -> Result<Handed> {
         Result<link::HandedModel> model = link::readHandedModel(message);
         if (!model)
             return model.error();
         const bool equal = isEqual(own, model->scene);
         return Handed{nullptr, std::move(model).value(), equal ? own.mesh : nullptr};
     };
-    const QPointer<LinkTaking> self(this);
-    const QPointer<LinkClient> from(client);
-    auto add = [self, from](Result<Handed> handed) {
+    auto add = [self = QPointer(this), client](Result<Handed> handed) {
         if (self)
-            self->add(from, std::move(handed));
+            self->add(client, std::move(handed));
     };
-    runOnPool(backgroundPool(), std::move(work), std::move(add), [from](const QString &problem) {
-        if (from)
-            from->end(link::linkError(problem));
-    });
+    client->reading.start(std::move(work), std::move(add),
+                          [client](const QString &problem) { client->end(link::linkError(problem)); });
 }
 
 void LinkTaking::add(const QPointer<LinkClient> &client, Result<Handed> handed)

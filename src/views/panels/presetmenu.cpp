@@ -4,10 +4,7 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/presetdialog.h"
-#include "views/ui/pooltask.h"
 #include "views/ui/questions.h"
-
-#include <QPointer>
 
 namespace autocuts {
 
@@ -17,32 +14,42 @@ PresetMenu::PresetMenu(const StudioContext &context, Questions &questions, QWidg
     : QMenu(parent), mContext(context), mQuestions(questions)
 {
     fill({});
-    connect(this, &QMenu::aboutToShow, this, [this] { afterwardsList([] { return Done{}; }); });
-    afterwardsList([] { return Done{}; });
+    connect(this, &QMenu::aboutToShow, this, &PresetMenu::list);
+    list();
 }
 
-void PresetMenu::afterwardsList(const std::function<Result<Done>()> &work)
+void PresetMenu::list()
 {
-    const auto failed = [self = QPointer(this)](const QString &message) {
-        if (self)
-            self->mQuestions.showError({message, {}, 0, {}});
-    };
-    runOnPool(
-        backgroundPool(),
-        [work] {
+    if (!mChanging.isRunning()) // that lists, too
+        afterwardsList(mListing, [] { return Done{}; });
+}
+
+void PresetMenu::change(const std::function<Result<Done>()> &work)
+{
+    mListing.drop();
+    afterwardsList(mChanging, work);
+}
+
+void PresetMenu::afterwardsList(Task &task, const std::function<Result<Done>()> &work)
+{
+    task.start(
+        [work](const std::atomic<bool> &) {
             const Result<Done> done = work();
             return std::pair(done, Names{presetNames(), ownPresetNames()});
         },
-        [self = QPointer(this)](const std::pair<Result<Done>, Names> &made) {
-            if (!self)
-                return;
+        [this](const std::pair<Result<Done>, Names> &made) {
             if (!made.first)
-                self->mQuestions.showError(made.first.error());
-            if (made.second != self->mNames)
-                self->fill(made.second);
-            Q_EMIT self->listed();
+                mQuestions.showError(made.first.error());
+            if (made.second != mNames)
+                fill(made.second);
+            Q_EMIT listed();
         },
-        failed);
+        [this](const QString &message) { showProblem(message); });
+}
+
+void PresetMenu::showProblem(const QString &message)
+{
+    mQuestions.showError({message, {}, 0, {}});
 }
 
 void PresetMenu::fill(const Names &names)
@@ -67,16 +74,9 @@ void PresetMenu::fill(const Names &names)
 
 void PresetMenu::choose(const QString &name)
 {
-    runOnPool(
-        backgroundPool(), [name] { return readPreset(name); },
-        [self = QPointer(this), name](const Result<Preset> &preset) {
-            if (self)
-                self->apply(name, preset);
-        },
-        [self = QPointer(this)](const QString &message) {
-            if (self)
-                self->mQuestions.showError({message, {}, 0, {}});
-        });
+    mReading.start([name](const std::atomic<bool> &) { return readPreset(name); },
+                   [this, name](const Result<Preset> &preset) { apply(name, preset); },
+                   [this](const QString &message) { showProblem(message); });
 }
 
 jobs::MapSettings PresetMenu::settings() const
@@ -113,13 +113,13 @@ void PresetMenu::askAndSave()
     if (mNames.own.contains(name) &&
         !mQuestions.confirm(tr("Replace the preset %1?").arg(name), {}, tr("Replace")))
         return;
-    afterwardsList([name, text = jobs::presetText(settings())] { return savePreset(name, text); });
+    change([name, text = jobs::presetText(settings())] { return savePreset(name, text); });
 }
 
 void PresetMenu::askAndRemove(const QString &name)
 {
     if (mQuestions.confirm(tr("Delete the preset %1?").arg(name), tr("Its file is removed."), tr("Delete")))
-        afterwardsList([name] { return removePreset(name); });
+        change([name] { return removePreset(name); });
 }
 
 } // namespace autocuts

@@ -3,6 +3,7 @@
 
 #include "jobs/mapsettings.h"
 #include "views/control/studiocontext.h"
+#include "views/ui/task.h"
 
 #include <QMenu>
 #include <QStringList>
@@ -35,8 +36,12 @@ private:
         bool operator==(const Names &) const = default;
     };
 
-    //! Works on another thread, then lists anew what there is.
-    void afterwardsList(const std::function<Result<Done>()> &work);
+    //! Lists anew what there is.
+    void list();
+    //! Works on another thread, then lists anew.
+    void change(const std::function<Result<Done>()> &work);
+    void afterwardsList(Task &task, const std::function<Result<Done>()> &work);
+    void showProblem(const QString &message);
     void fill(const Names &names);
     void choose(const QString &name);
     void apply(const QString &name, const Result<Preset> &preset);
@@ -48,6 +53,7 @@ private:
     Questions &mQuestions;
     Names mNames;
     QMenu *mRemove = nullptr;
+    Task mListing, mChanging, mReading;
 };
 
 } // namespace autocuts

@@ -1,24 +1,23 @@
-// Work that a stop leaves to itself where it does not end soon, such as the reading of large models.
+// Work that is abandoned where it does not end soon after a stop, such as the reading of large models.
 #pragma once
 
+#include "model/plain/parallel.h"
 #include "solver/base/jobcontext.h"
 
 #include <atomic>
 #include <chrono>
-#include <future>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace autocuts::jobs {
 
-//! Milliseconds that work may go on after a stop before it is left to itself.
-inline constexpr int letGoPatience = 100;
+//! Milliseconds that work may go on after a stop before it is abandoned.
+inline constexpr int abandonAfter = 100;
 
-//! How often work was left to itself. It may still run: then the program has to end without destroying what
-//! it uses, by std::_Exit().
-inline std::atomic<int> letGoCount = 0;
+//! How often work was abandoned. It may still run: then the program has to end without destroying what it
+//! uses, by std::_Exit().
+inline std::atomic<int> abandonedCount = 0;
 
 //! Runs work on another thread and waits for it. Nothing when a stop came before the end. Exceptions are
 //! passed on. \param work called with a stop flag of its own; must own all that it uses
@@ -29,16 +28,14 @@ auto unlessStopped(const JobContext &context, Work work)
     using Value = decltype(work(std::declval<const std::atomic<bool> &>()));
     constexpr std::chrono::milliseconds tick(5);
     auto own = std::make_shared<std::atomic<bool>>(false);
-    std::packaged_task<Value()> task([own, work = std::move(work)] { return work(*own); });
-    std::future<Value> result = task.get_future();
-    std::thread(std::move(task)).detach();
+    std::future<Value> result = startDetached([own, work = std::move(work)] { return work(*own); });
     for (int waited = 0; result.wait_for(tick) != std::future_status::ready;) {
         if (!context.stopped())
             continue;
         *own = true;
         waited += static_cast<int>(tick.count());
-        if (waited > letGoPatience) {
-            ++letGoCount;
+        if (waited > abandonAfter) {
+            ++abandonedCount;
             return std::nullopt;
         }
     }
