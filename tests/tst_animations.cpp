@@ -1,13 +1,13 @@
 // Bones and animations from one format to another.
-#include "model/io/assimpsource.h"
-#include "model/io/exportlosses.h"
-#include "model/io/fbxobjects.h"
-#include "model/io/fbxparsing.h"
-#include "model/io/fbxreader.h"
-#include "model/io/fbxsource.h"
-#include "model/io/meshfile.h"
-#include "model/io/modelunits.h"
-#include "model/io/savefile.h"
+#include "model/io/assimp/assimpsource.h"
+#include "model/io/fbx/fbxobjects.h"
+#include "model/io/fbx/fbxparsing.h"
+#include "model/io/fbx/fbxreader.h"
+#include "model/io/fbx/fbxsource.h"
+#include "model/io/files/savefile.h"
+#include "model/io/formats/modelunits.h"
+#include "model/io/meshes/exportlosses.h"
+#include "model/io/meshes/meshfile.h"
 #include "support/gltffiles.h"
 
 #include <QTemporaryDir>

@@ -1,5 +1,5 @@
 // Whole sessions of an artist on real meshes, with real events in the real window.
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/samples/samples.h"
 #include "support/artistsession.h"
 #include "support/meshbuilders.h"

@@ -1,10 +1,10 @@
 // Formats that go through Assimp: round trips, transforms and instances, what is said to be lost, real files.
-#include "model/io/assimpscene.h"
-#include "model/io/exportlosses.h"
-#include "model/io/meshfile.h"
-#include "model/io/modelunits.h"
-#include "model/io/objreader.h"
-#include "model/io/savefile.h"
+#include "model/io/assimp/assimpscene.h"
+#include "model/io/files/savefile.h"
+#include "model/io/formats/modelunits.h"
+#include "model/io/meshes/exportlosses.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/obj/objreader.h"
 #include "support/meshbuilders.h"
 
 #include <QDataStream>

@@ -1,6 +1,6 @@
 // How scenes come over from autocuts-reader: every field, damaged streams, pictures inside.
-#include "model/io/assimpstream.h"
-#include "model/io/assimptextures.h"
+#include "model/io/assimp/assimpstream.h"
+#include "model/io/assimp/assimptextures.h"
 
 #include <QImage>
 #include <QTest>

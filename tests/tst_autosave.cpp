@@ -1,6 +1,6 @@
 // Autosave, recovery and saving under fire: programs that are killed while they save.
-#include "model/io/autosave.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
+#include "model/io/projects/autosave.h"
 #include "support/randomedits.h"
 #include "support/sessions.h"
 

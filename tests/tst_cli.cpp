@@ -1,5 +1,5 @@
 // The commands of the command line in this process: what they write, report and refuse.
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/cliruns.h"
 

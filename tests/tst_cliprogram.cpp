@@ -1,7 +1,7 @@
 // The program itself: exit codes, streams, signals, and everything that can be wrong with its files.
 #include "cli/progressline.h"
-#include "model/io/meshfile.h"
-#include "model/io/sessionlock.h"
+#include "model/io/files/sessionlock.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/cliruns.h"

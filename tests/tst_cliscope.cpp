@@ -1,7 +1,7 @@
 // The command line on a part of a model (--only) and with given seams (--seams).
 #include "cli/batchscope.h"
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/projects/projectfile.h"
 #include "model/plain/chart.h"
 #include "model/plain/udimtiles.h"
 #include "support/cliruns.h"

@@ -1,6 +1,6 @@
 // The command line's transfer: from files, sessions, UV sets and objects, its report and its mistakes.
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/projects/projectfile.h"
 #include "model/plain/chart.h"
 #include "model/plain/uvlayout.h"
 #include "support/cliruns.h"

@@ -1,9 +1,9 @@
 // Collada files come back changed in nothing but their UVs: sources, indices, shared inputs, damage.
 #include "model/io/collada/colladamesh.h"
 #include "model/io/collada/colladasource.h"
-#include "model/io/exportlosses.h"
-#include "model/io/meshfile.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
+#include "model/io/meshes/exportlosses.h"
+#include "model/io/meshes/meshfile.h"
 
 #include <QDir>
 #include <QTemporaryDir>

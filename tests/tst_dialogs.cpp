@@ -1,6 +1,6 @@
 // Dialogs of files, recovery and help; theme.
-#include "model/io/exportlosses.h"
-#include "model/io/projectfile.h"
+#include "model/io/meshes/exportlosses.h"
+#include "model/io/projects/projectfile.h"
 #include "model/samples/samples.h"
 #include "support/editsupport.h"
 #include "support/studioparts.h"

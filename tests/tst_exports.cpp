@@ -1,6 +1,6 @@
 // Files that the studio exports: pictures, reports and meshes; nothing that was read is overwritten.
-#include "model/io/meshfile.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
+#include "model/io/meshes/meshfile.h"
 #include "support/filedesk.h"
 #include "views/actions/fileactions.h"
 #include "views/control/jobrunner.h"

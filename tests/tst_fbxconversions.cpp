@@ -1,13 +1,13 @@
 // What Assimp leaves out of FBX files when they become glTF or Collada: views, strengths of lights, motions
 // around pivots, bones without a mesh, places of binding.
-#include "model/io/assimpmatrix.h"
-#include "model/io/assimpsource.h"
-#include "model/io/collada/xmlspans.h"
-#include "model/io/exportlosses.h"
-#include "model/io/fbxlinks.h"
-#include "model/io/fbxparsing.h"
-#include "model/io/meshfile.h"
-#include "model/io/savefile.h"
+#include "model/io/assimp/assimpmatrix.h"
+#include "model/io/assimp/assimpsource.h"
+#include "model/io/fbx/fbxlinks.h"
+#include "model/io/fbx/fbxparsing.h"
+#include "model/io/files/savefile.h"
+#include "model/io/files/xmlspans.h"
+#include "model/io/meshes/exportlosses.h"
+#include "model/io/meshes/meshfile.h"
 #include "support/gltffiles.h"
 
 #include <QTemporaryDir>

@@ -1,6 +1,6 @@
 // Reading FBX files: polygons, places, objects, materials, UV sets, hard edges.
-#include "model/io/fbxreader.h"
-#include "model/io/fbxsource.h"
+#include "model/io/fbx/fbxreader.h"
+#include "model/io/fbx/fbxsource.h"
 #include "support/fbxfiles.h"
 
 #include <QTest>

@@ -1,8 +1,8 @@
 // FBX files come back changed in nothing but their UVs.
-#include "model/io/exportlosses.h"
-#include "model/io/fbxparsing.h"
-#include "model/io/fbxreader.h"
-#include "model/io/fbxrewriter.h"
+#include "model/io/fbx/fbxparsing.h"
+#include "model/io/fbx/fbxreader.h"
+#include "model/io/fbx/fbxrewriter.h"
+#include "model/io/meshes/exportlosses.h"
 #include "support/fbxfiles.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // The nodes of FBX files: read, changed one by one, and all other bytes kept.
-#include "model/io/fbxeditor.h"
-#include "model/io/fbxparsing.h"
+#include "model/io/fbx/fbxeditor.h"
+#include "model/io/fbx/fbxparsing.h"
 #include "support/fbxfiles.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // Files that are written together: all new, or all as they were.
-#include "model/io/savefile.h"
-#include "model/io/setjournal.h"
+#include "model/io/files/savefile.h"
+#include "model/io/files/setjournal.h"
 #include "support/cliruns.h"
 
 #include <QDir>

@@ -1,7 +1,7 @@
 // The model's file, watched: saves of other programs re-link the model, once each, and nothing else does.
 #include "commands/editpins.h"
-#include "model/io/meshfile.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
+#include "model/io/meshes/meshfile.h"
 #include "support/editsupport.h"
 #include "support/filedesk.h"
 #include "views/control/filewatch.h"

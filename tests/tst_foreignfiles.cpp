@@ -1,9 +1,9 @@
 // Files that crash, hang or bloat Assimp, read by autocuts-reader: each becomes an error. Cancelling. Collada
 // as others write it.
-#include "model/io/assimpprocess.h"
-#include "model/io/meshfile.h"
-#include "model/io/objreader.h"
-#include "model/io/savefile.h"
+#include "model/io/assimp/assimpprocess.h"
+#include "model/io/files/savefile.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/obj/objreader.h"
 
 #include <QFile>
 #include <QImage>

@@ -1,6 +1,6 @@
 // Given seams on real meshes: none of them is lost, and what the list says of seams is true.
 #include "model/document/givenseams.h"
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/plain/uvlayout.h"
 #include "solver/base/cutmesh.h"
 #include "solver/metrics/uvmetrics.h"

@@ -1,12 +1,12 @@
 // glTF files come back changed in nothing but their UVs: attributes, seams, sets.
-#include "model/io/exportlosses.h"
+#include "model/io/files/savefile.h"
 #include "model/io/gltf/gltfprimitive.h"
 #include "model/io/gltf/gltfreader.h"
 #include "model/io/gltf/gltfwriter.h"
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
-#include "model/io/projectscene.h"
-#include "model/io/savefile.h"
+#include "model/io/meshes/exportlosses.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/projects/projectfile.h"
+#include "model/io/projects/projectscene.h"
 #include "support/gltffiles.h"
 
 #include <QDirIterator>

@@ -1,14 +1,14 @@
 // glTF files as files: containers, buffers beside them, sessions, other formats, damage.
-#include "model/io/exportlosses.h"
+#include "model/io/files/savefile.h"
 #include "model/io/gltf/gltfprimitive.h"
 #include "model/io/gltf/gltfreader.h"
 #include "model/io/gltf/gltfwriter.h"
-#include "model/io/meshfile.h"
-#include "model/io/projectblocks.h"
-#include "model/io/projectfile.h"
-#include "model/io/projectmigration.h"
-#include "model/io/projectscene.h"
-#include "model/io/savefile.h"
+#include "model/io/meshes/exportlosses.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/projects/projectblocks.h"
+#include "model/io/projects/projectfile.h"
+#include "model/io/projects/projectmigration.h"
+#include "model/io/projects/projectscene.h"
 #include "support/gltffiles.h"
 
 #include <QDirIterator>

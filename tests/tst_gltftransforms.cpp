@@ -1,6 +1,6 @@
 // Where nodes are in new glTF files.
-#include "model/io/meshfile.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
+#include "model/io/meshes/meshfile.h"
 #include "support/colladafiles.h"
 #include "support/gltffiles.h"
 

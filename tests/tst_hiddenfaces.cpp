@@ -2,7 +2,7 @@
 #include "commands/commandfactory.h"
 #include "commands/hidefaces.h"
 #include "model/document/relink.h"
-#include "model/io/projectfile.h"
+#include "model/io/projects/projectfile.h"
 #include "support/editsupport.h"
 
 #include <QTest>

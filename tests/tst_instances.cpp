@@ -1,8 +1,8 @@
 // Objects that share a mesh, in the studio: figures and reports are those of the file, which has one map.
 #include "commands/newmap.h"
-#include "model/io/instances.h"
-#include "model/io/meshfile.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
+#include "model/io/meshes/instances.h"
+#include "model/io/meshes/meshfile.h"
 #include "support/fbxfiles.h"
 #include "support/studiosession.h"
 

@@ -5,7 +5,7 @@
 #include "commands/setseamstate.h"
 #include "commands/setseamweights.h"
 #include "commands/setuvs.h"
-#include "model/io/projectfile.h"
+#include "model/io/projects/projectfile.h"
 #include "model/plain/polygonsides.h"
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"

@@ -5,7 +5,7 @@
 #include "model/document/islands.h"
 #include "model/document/makesnapshot.h"
 #include "model/document/straightloops.h"
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/plain/chart.h"
 #include "model/plain/uvlayout.h"
 #include "solver/metrics/uvmetrics.h"

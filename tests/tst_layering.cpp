@@ -47,9 +47,9 @@ const std::vector<Layer> layers{
 };
 
 //! The files that call the operating system, one for each need. docs/building.md names them.
-const std::set<std::string> systemCallers{"cli/manyfiles/machine.cpp", "cli/program/startup.cpp",
-                                          "model/io/filecalls.cpp",    "model/io/readerprocess.cpp",
-                                          "reader/process.cpp",        "solver/linear/loadedfunction.cpp"};
+const std::set<std::string> systemCallers{"cli/manyfiles/machine.cpp",    "cli/program/startup.cpp",
+                                          "model/io/files/filecalls.cpp", "model/io/files/readerprocess.cpp",
+                                          "reader/process.cpp",           "solver/linear/loadedfunction.cpp"};
 
 struct Include
 {
@@ -154,8 +154,9 @@ std::string problemWithForeign(const Include &i)
     static const std::regex threads("thread|future|QThreadPool|QtConcurrent.*|pthread\\.h|tbb/.*");
     if (std::regex_match(i.header, threads) && i.file != "model/plain/parallel.h")
         return "threads are started in model/plain/parallel.h";
-    if (i.header.starts_with("assimp/") && !i.file.starts_with("model/io/assimp"))
-        return "Assimp belongs to model/io/assimp*";
+    static const std::regex assimp(R"(model/io/(assimp|collada|fbx|gltf)/assimp\w+\.(h|cpp))");
+    if (i.header.starts_with("assimp/") && !std::regex_match(i.file, assimp))
+        return "Assimp belongs to files assimp* in four folders of model/io";
     if (i.header.starts_with("OpenMesh/") && i.file != "solver/multires/edgecollapses.cpp")
         return "OpenMesh belongs to solver/multires/edgecollapses.cpp";
     if ((i.header.starts_with("cholmod") || i.header.starts_with("suitesparse/")) &&
@@ -262,7 +263,7 @@ private Q_SLOTS:
         row("elsewhere/file.cpp", "model/plain/types.h", true);
         // Between the folders of a layer.
         row("model/plain/meshdata.h", "model/document/scene.h", true);
-        row("model/document/scene.h", "model/io/meshfile.h", true);
+        row("model/document/scene.h", "model/io/meshes/meshfile.h", true);
         row("solver/base/soup.h", "solver/energy/energyterm.h", true);
         row("solver/search/cutstate.h", "solver/definite/stitching.h", true);
         row("solver/soup.cpp", "solver/base/soup.h", true);
@@ -278,13 +279,15 @@ private Q_SLOTS:
         row("model/document/scene.h", "QWidget", false);
         row("cli/batch.h", "QWidget", false);
         row("model/document/scene.cpp", "assimp/scene.h", false);
+        row("model/io/assimp/blendnames.cpp", "assimp/scene.h", false);
+        row("model/io/obj/assimpobj.cpp", "assimp/scene.h", false);
         row("model/document/scene.cpp", "OpenMesh/Core/IO/MeshIO.hh", false);
         row("solver/multires/progressivemesh.cpp", "OpenMesh/Core/Mesh/Traits.hh", false);
         row("solver/newton/minimizer.cpp", "cholmod.h", false);
         row("solver/unwrap/readyresult.h", "thread", false);
         row("views/ui/task.h", "QThreadPool", false);
         // The operating system.
-        row("model/io/savefile.cpp", "unistd.h", false);
+        row("model/io/files/savefile.cpp", "unistd.h", false);
         row("cli/batch.cpp", "sys/stat.h", false);
     }
 

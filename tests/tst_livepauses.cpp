@@ -1,6 +1,6 @@
 // Stop a live solve at any moment, and the map is valid: what is shown lands in the document.
 #include "commands/setseamstate.h"
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/samples/samples.h"
 #include "solver/base/random.h"
 #include "solver/metrics/uvmetrics.h"

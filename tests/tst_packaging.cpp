@@ -1,8 +1,8 @@
 // What packages give to desktops and shells: completions, manual pages, menu entry, file type, thumbnails.
 #include "cli/clicompletion.h"
 #include "cli/clitable.h"
-#include "model/io/meshformats.h"
-#include "model/io/projectfile.h"
+#include "model/io/formats/meshformats.h"
+#include "model/io/projects/projectfile.h"
 #include "model/samples/samples.h"
 #include "support/cliruns.h"
 

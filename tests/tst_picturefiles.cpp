@@ -1,5 +1,5 @@
 // Picture files: what is written is read again; formats that Qt does not know; damaged files.
-#include "model/io/picturefiles.h"
+#include "model/io/pictures/picturefiles.h"
 #include "model/io/pictures/picturesize.h"
 
 #include <OpenEXR/ImfChannelList.h>

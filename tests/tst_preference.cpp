@@ -1,6 +1,6 @@
 // Where seams should rather run: along creases, in hidden places, symmetrically; and no chart too small.
 #include "model/document/cborvalues.h"
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/samples/samples.h"
 #include "solver/base/random.h"
 #include "solver/preference/creases.h"

@@ -4,8 +4,8 @@
 #include "support/randomedits.h"
 #include "support/sessions.h"
 
-#include "model/io/projectmigration.h"
-#include "model/io/projectstate.h"
+#include "model/io/projects/projectmigration.h"
+#include "model/io/projects/projectstate.h"
 
 #include <QFile>
 #include <QTest>

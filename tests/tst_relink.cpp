@@ -1,7 +1,7 @@
 // Re-linking: what of a session stays when its model is exchanged.
 #include "model/document/relink.h"
-#include "model/io/objreader.h"
-#include "model/io/projectmigration.h"
+#include "model/io/obj/objreader.h"
+#include "model/io/projects/projectmigration.h"
 #include "model/plain/polygonsides.h"
 #include "support/editsupport.h"
 #include "support/randomedits.h"

@@ -1,13 +1,13 @@
 // Skeletons from one format to another: rest poses, sizes, ends of limbs, and what programs need to find
 // them.
-#include "model/io/assimpmatrix.h"
-#include "model/io/assimpplacing.h"
-#include "model/io/assimpsource.h"
-#include "model/io/collada/xmlspans.h"
-#include "model/io/exportlosses.h"
-#include "model/io/fbxparsing.h"
-#include "model/io/meshfile.h"
-#include "model/io/savefile.h"
+#include "model/io/assimp/assimpmatrix.h"
+#include "model/io/assimp/assimpplacing.h"
+#include "model/io/assimp/assimpsource.h"
+#include "model/io/fbx/fbxparsing.h"
+#include "model/io/files/savefile.h"
+#include "model/io/files/xmlspans.h"
+#include "model/io/meshes/exportlosses.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/transfer/facematch.h"
 #include "support/gltffiles.h"
 

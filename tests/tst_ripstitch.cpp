@@ -4,7 +4,7 @@
 #include "commands/newmap.h"
 #include "commands/replay.h"
 #include "commands/setislandflags.h"
-#include "model/io/projectfile.h"
+#include "model/io/projects/projectfile.h"
 #include "model/plain/uvseams.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/artist.h"

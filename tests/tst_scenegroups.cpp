@@ -1,9 +1,9 @@
 // Objects and materials: their faces, tiles and colours.
 #include "model/document/materialcolor.h"
 #include "model/document/scenegroups.h"
-#include "model/io/meshfile.h"
-#include "model/io/objreader.h"
-#include "model/io/projectfile.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/obj/objreader.h"
+#include "model/io/projects/projectfile.h"
 #include "support/editsupport.h"
 
 #include <QFile>

@@ -3,7 +3,7 @@
 #include "commands/editrectangles.h"
 #include "commands/setseamstate.h"
 #include "model/document/makesnapshot.h"
-#include "model/io/objreader.h"
+#include "model/io/obj/objreader.h"
 #include "model/plain/uvlayout.h"
 #include "model/samples/samplemodels.h"
 #include "solver/definite/stitching.h"

@@ -3,7 +3,7 @@
 //
 // In each of them values have been exchanged, left out, or put elsewhere; the checksums are right. SESSIONS
 // in the environment is their number, and the seed is SEED; scripts/soak tries more of them.
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
 #include "support/randomedits.h"
 #include "support/sessions.h"
 #include "support/studiosession.h"

@@ -1,7 +1,7 @@
 // The studio as an artist works with it: real key and mouse events on the real window.
 #include "model/document/makesnapshot.h"
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/projects/projectfile.h"
 #include "support/editsupport.h"
 #include "support/patience.h"
 #include "support/studiosession.h"

@@ -3,11 +3,11 @@
 // The program runs itself again with tests/fuzz/failingcalls.cpp preloaded, for each call of each job: once
 // with an error and once being killed. With ALL_FAULTS in the environment, as scripts/soak sets it, it tries
 // more errors.
-#include "model/io/layoutoptions.h"
-#include "model/io/picturefiles.h"
-#include "model/io/projectfile.h"
-#include "model/io/savefile.h"
-#include "model/io/setjournal.h"
+#include "model/io/files/savefile.h"
+#include "model/io/files/setjournal.h"
+#include "model/io/layouts/layoutoptions.h"
+#include "model/io/pictures/picturefiles.h"
+#include "model/io/projects/projectfile.h"
 #include "support/cliruns.h"
 #include "support/gltffiles.h"
 #include "support/mappedmodels.h"

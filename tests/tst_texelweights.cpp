@@ -2,7 +2,7 @@
 #include "commands/settexelweights.h"
 #include "model/document/makesnapshot.h"
 #include "model/document/relink.h"
-#include "model/io/projectfile.h"
+#include "model/io/projects/projectfile.h"
 #include "model/plain/meshpart.h"
 #include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"

@@ -1,8 +1,8 @@
 // Texture, rotation and kept orientations in the real window: by fields, keys and menus, with undo, while a
 // live solve runs and through files.
 #include "commands/changesettings.h"
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/projects/projectfile.h"
 #include "model/plain/uvlayout.h"
 #include "support/cliruns.h"
 #include "support/studiosession.h"

@@ -2,9 +2,9 @@
 #include "commands/edittextures.h"
 #include "model/document/documentstate.h"
 #include "model/document/relink.h"
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
-#include "model/io/texturenames.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/pictures/texturenames.h"
+#include "model/io/projects/projectfile.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,8 +1,8 @@
 // Files of the formats that Assimp alone reads: their axes, units and UVs, what is written of them, and
 // damaged ones.
-#include "model/io/assimpprocess.h"
-#include "model/io/meshfile.h"
-#include "model/io/savefile.h"
+#include "model/io/assimp/assimpprocess.h"
+#include "model/io/files/savefile.h"
+#include "model/io/meshes/meshfile.h"
 #include "support/tradefiles.h"
 
 #include <QDirIterator>

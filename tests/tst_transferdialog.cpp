@@ -1,7 +1,7 @@
 // Transferring UVs in the studio: the dialog by mouse and keys, the job, its undo entry, locks and live
 // solves.
 #include "commands/setuvs.h"
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/plain/uvlayout.h"
 #include "support/damagedsessions.h"
 #include "support/mappedmodels.h"

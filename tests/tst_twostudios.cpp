@@ -1,8 +1,8 @@
 // Two windows at one session: neither replaces what the other has saved without asking.
 #include "commands/changesettings.h"
-#include "model/io/projectfile.h"
-#include "model/io/savefile.h"
-#include "model/io/sessionlock.h"
+#include "model/io/files/savefile.h"
+#include "model/io/files/sessionlock.h"
+#include "model/io/projects/projectfile.h"
 #include "support/studiosession.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/filecontroller.h"

@@ -17,7 +17,7 @@ import sessions
 from bakes import pick
 
 # The list that the program has.
-SOURCE = Path(__file__).resolve().parents[2] / "src/model/io/meshformats.cpp"
+SOURCE = Path(__file__).resolve().parents[2] / "src/model/io/formats/meshformats.cpp"
 FORMATS = re.findall(r'\{u"(\w+)"_s, u"[^"]+/', SOURCE.read_text()) + ["acproj"]
 # CPU seconds in which a job ends after an interrupt, besides those for the files.
 INTERRUPT_SECONDS = 0.3

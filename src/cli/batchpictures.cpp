@@ -5,8 +5,8 @@
 #include "jobs/bakepictures.h"
 #include "jobs/carrytextures.h"
 #include "jobs/othermodel.h"
-#include "model/io/modelpicture.h"
-#include "model/io/uvexport.h"
+#include "model/io/layouts/modelpicture.h"
+#include "model/io/layouts/uvexport.h"
 
 #include <QJsonArray>
 #include <QPainter>

@@ -3,7 +3,7 @@
 #include "cli/mapmaking.h"
 #include "jobs/othermodel.h"
 #include "jobs/transferuvs.h"
-#include "model/io/fileclashes.h"
+#include "model/io/outputs/fileclashes.h"
 #include "model/plain/uvlayout.h"
 
 namespace autocuts {

@@ -1,10 +1,10 @@
 #include "cli/outputcheck.h"
 
-#include "model/io/fileclashes.h"
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
-#include "model/io/savefile.h"
-#include "model/io/texturefiles.h"
+#include "model/io/files/savefile.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/outputs/fileclashes.h"
+#include "model/io/pictures/texturefiles.h"
+#include "model/io/projects/projectfile.h"
 
 #include <QFileInfo>
 

@@ -1,7 +1,7 @@
 #include "commands/edittextures.h"
 
 #include "commands/commandreading.h"
-#include "model/io/texturefiles.h"
+#include "model/io/pictures/texturefiles.h"
 
 #include <algorithm>
 

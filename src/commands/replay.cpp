@@ -3,7 +3,7 @@
 #include "commands/commandfactory.h"
 #include "commands/commandreading.h"
 #include "commands/edittextures.h"
-#include "model/io/deflate.h"
+#include "model/io/files/deflate.h"
 
 #include <QtEndian>
 

@@ -1,7 +1,7 @@
 // What is to be baked, as the user chose it.
 #pragma once
 
-#include "model/io/bakefiles.h"
+#include "model/io/outputs/bakefiles.h"
 #include "solver/bake/bakemaps.h"
 
 #include <QCborMap>

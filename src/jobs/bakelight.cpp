@@ -2,7 +2,7 @@
 
 #include "jobs/jobtexts.h"
 #include "jobs/litscene.h"
-#include "model/io/fileclashes.h"
+#include "model/io/outputs/fileclashes.h"
 
 #include <algorithm>
 #include <cmath>

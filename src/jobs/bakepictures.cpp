@@ -3,7 +3,7 @@
 #include "jobs/jobtexts.h"
 #include "jobs/othermodel.h"
 #include "model/document/shadedscene.h"
-#include "model/io/fileclashes.h"
+#include "model/io/outputs/fileclashes.h"
 #include "model/io/pictures/picturesize.h"
 #include "model/plain/udimtiles.h"
 #include "model/transfer/surfacedistance.h"

@@ -1,8 +1,8 @@
 #include "jobs/carryplan.h"
 
-#include "model/io/bakefiles.h"
-#include "model/io/fileclashes.h"
-#include "model/io/texturefiles.h"
+#include "model/io/outputs/bakefiles.h"
+#include "model/io/outputs/fileclashes.h"
+#include "model/io/pictures/texturefiles.h"
 
 #include <QCoreApplication>
 #include <QDir>

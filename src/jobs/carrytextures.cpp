@@ -4,9 +4,9 @@
 #include "jobs/othermodel.h"
 #include "model/document/carriedsurface.h"
 #include "model/document/shadedscene.h"
-#include "model/io/bakefiles.h"
-#include "model/io/fileclashes.h"
-#include "model/io/texturefiles.h"
+#include "model/io/outputs/bakefiles.h"
+#include "model/io/outputs/fileclashes.h"
+#include "model/io/pictures/texturefiles.h"
 #include "model/plain/udimtiles.h"
 #include "model/plain/uvlayout.h"
 

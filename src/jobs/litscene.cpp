@@ -2,7 +2,7 @@
 
 #include "jobs/othermodel.h"
 #include "model/document/shadedscene.h"
-#include "model/io/bakefiles.h"
+#include "model/io/outputs/bakefiles.h"
 
 #include <QFileInfo>
 

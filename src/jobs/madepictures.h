@@ -3,7 +3,7 @@
 
 #include "jobs/jobwarning.h"
 #include "model/document/documentstate.h"
-#include "model/io/picturefiles.h"
+#include "model/io/pictures/picturefiles.h"
 #include "model/plain/packingsettings.h"
 
 #include <map>

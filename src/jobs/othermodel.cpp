@@ -1,10 +1,10 @@
 #include "jobs/othermodel.h"
 
+#include "model/io/files/savefile.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/outputs/fileclashes.h"
+#include "model/io/projects/projectfile.h"
 #include "jobs/abandonablework.h"
-#include "model/io/fileclashes.h"
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
-#include "model/io/savefile.h"
 
 #include <QFileInfo>
 

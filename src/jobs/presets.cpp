@@ -2,7 +2,7 @@
 
 #include "jobs/jobtexts.h"
 #include "jobs/nearestname.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,7 +1,7 @@
 #include "jobs/transferuvs.h"
 
 #include "jobs/othermodel.h"
-#include "model/io/fileclashes.h"
+#include "model/io/outputs/fileclashes.h"
 #include "model/plain/uvlayout.h"
 
 #include <algorithm>

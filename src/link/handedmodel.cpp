@@ -2,7 +2,7 @@
 
 #include "link/linktextures.h"
 #include "model/document/constraints.h"
-#include "model/io/meshlimits.h"
+#include "model/io/files/meshlimits.h"
 
 #include <QJsonArray>
 

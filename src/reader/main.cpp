@@ -1,7 +1,7 @@
 // autocuts-reader: reads a mesh file by Assimp for the other programs and writes the scene to its standard
 // output. A file that crashes or hangs Assimp, or takes all memory, ends this program only.
-#include "model/io/assimpimport.h"
-#include "model/io/assimpstream.h"
+#include "model/io/assimp/assimpimport.h"
+#include "model/io/assimp/assimpstream.h"
 #include "reader/process.h"
 
 #include <cstdio>

@@ -4,7 +4,7 @@
 // edits, as OBJ]
 #include "edgewalk.h"
 
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/plain/uvlayout.h"
 #include "solver/live/mapkeeper.h"
 #include "solver/metrics/uvmetrics.h"

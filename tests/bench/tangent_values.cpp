@@ -5,7 +5,7 @@
 // Positions and UVs are rounded to single precision first, and moved and scaled to a box of size 1; all
 // objects are one. A mesh without UVs gets its x and y. Lines: "v" position, "f" vertices of a face from 0,
 // "e" vertices of a hard edge, and for each corner of each face "c" UV, normal, tangent and sign.
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/plain/shadingnormals.h"
 #include "model/plain/tangents.h"
 #include "model/samples/samples.h"

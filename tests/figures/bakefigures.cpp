@@ -3,8 +3,8 @@
 #include "figures/paintedmodel.h"
 #include "figures/picturesheet.h"
 #include "figures/studiopictures.h"
-#include "model/io/meshfile.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
+#include "model/io/meshes/meshfile.h"
 
 #include <QLocale>
 #include <QProcess>

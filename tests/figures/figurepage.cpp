@@ -1,6 +1,6 @@
 #include "figures/figurepage.h"
 
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/samples/samples.h"
 
 #include <QFile>

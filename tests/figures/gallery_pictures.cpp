@@ -7,7 +7,7 @@
 // scripts/gallery runs it.
 #include "figures/picturesheet.h"
 #include "figures/studiopictures.h"
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "views/ui/theme.h"
 
 #include <QApplication>

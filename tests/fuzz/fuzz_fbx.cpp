@@ -1,9 +1,9 @@
 // Fuzzes the FBX reader and rewriter: any bytes are refused, or give a valid mesh that is written with the
 // same bytes, and with other UVs gives the same faces again.
 #include "fuzz/fuzzing.h"
-#include "model/io/fbxreader.h"
-#include "model/io/fbxrewriter.h"
-#include "model/io/fbxsource.h"
+#include "model/io/fbx/fbxreader.h"
+#include "model/io/fbx/fbxrewriter.h"
+#include "model/io/fbx/fbxsource.h"
 #include "support/fbxfiles.h"
 #include "support/objcases.h"
 

@@ -1,8 +1,8 @@
 // Fuzzes the OBJ reader and writer: any bytes are refused, or give a valid mesh that is written with the same
 // bytes, and with other UVs gives the same mesh again.
 #include "fuzz/fuzzing.h"
-#include "model/io/objreader.h"
-#include "model/io/objwriter.h"
+#include "model/io/obj/objreader.h"
+#include "model/io/obj/objwriter.h"
 #include "model/plain/uvlayout.h"
 #include "support/objcases.h"
 

@@ -4,7 +4,7 @@
 // same.
 #include "commands/replay.h"
 #include "fuzz/fuzzing.h"
-#include "model/io/projectfile.h"
+#include "model/io/projects/projectfile.h"
 
 #include <cstdint>
 

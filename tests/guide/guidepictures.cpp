@@ -4,7 +4,7 @@
 //
 // Each picture shows a view before and after: rows 24 to 39 of what the paper's artist does, and the window
 // as a whole. scripts/guide runs it.
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/plain/uvlayout.h"
 #include "support/artist.h"
 #include "support/canvases.h"

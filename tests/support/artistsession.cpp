@@ -1,7 +1,7 @@
 #include "support/artistsession.h"
 
 #include "model/document/makesnapshot.h"
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "model/plain/udimtiles.h"
 #include "support/editsupport.h"
 #include "views/canvas/meshview.h"

@@ -3,7 +3,7 @@
 
 #include "commands/changesettings.h"
 #include "jobs/bakechoice.h"
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"
 #include "views/control/filecontroller.h"

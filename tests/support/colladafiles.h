@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/scene.h"
-#include "model/io/modelunits.h"
+#include "model/io/formats/modelunits.h"
 
 #include <QByteArray>
 

@@ -1,8 +1,8 @@
 // Sessions of which a part is damaged.
 #pragma once
 
-#include "model/io/projectfile.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
+#include "model/io/projects/projectfile.h"
 
 #include <cstring>
 

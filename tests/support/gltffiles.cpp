@@ -1,8 +1,8 @@
 #include "support/gltffiles.h"
 
+#include "model/io/files/savefile.h"
 #include "model/io/gltf/gltfprimitive.h"
-#include "model/io/meshfile.h"
-#include "model/io/savefile.h"
+#include "model/io/meshes/meshfile.h"
 
 #include <QTemporaryDir>
 

@@ -1,6 +1,6 @@
 #include "support/objcases.h"
 
-#include "model/io/objreader.h"
+#include "model/io/obj/objreader.h"
 
 #include <QFile>
 

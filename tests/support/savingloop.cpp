@@ -1,7 +1,7 @@
 // Saves a session and its recovery file over and over, for a test that kills it. Every save has a number,
 // which is written to the standard output, with a letter before it, once the save is done.
-#include "model/io/autosave.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
+#include "model/io/projects/autosave.h"
 #include "support/sessions.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 
 #include "commands/journalrecorder.h"
 #include "commands/setseamstate.h"
-#include "model/io/objreader.h"
+#include "model/io/obj/objreader.h"
 #include "support/editsupport.h"
 #include "support/randomedits.h"
 

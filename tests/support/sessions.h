@@ -1,8 +1,8 @@
 // Sessions with something in every field, for tests of project files.
 #pragma once
 
-#include "model/io/projectfile.h"
-#include "model/io/projectmigration.h"
+#include "model/io/projects/projectfile.h"
+#include "model/io/projects/projectmigration.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 #include "cli/manyfiles/filelist.h"
 
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/projects/projectfile.h"
 
 #include <QDir>
 #include <QDirIterator>

@@ -5,7 +5,7 @@
 #include "cli/manyfiles/runreport.h"
 #include "cli/outputcheck.h"
 #include "cli/progressline.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
 
 #include <QCoreApplication>
 #include <QDir>

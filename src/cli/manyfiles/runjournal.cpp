@@ -1,6 +1,6 @@
 #include "cli/manyfiles/runjournal.h"
 
-#include "model/io/filecalls.h"
+#include "model/io/files/filecalls.h"
 
 #include <QCoreApplication>
 #include <QDir>

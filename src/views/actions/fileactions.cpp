@@ -1,6 +1,6 @@
 #include "views/actions/fileactions.h"
 
-#include "model/io/meshfile.h"
+#include "model/io/meshes/meshfile.h"
 #include "views/actions/actionregistry.h"
 #include "views/actions/menubuilder.h"
 #include "views/control/filecontroller.h"

@@ -1,7 +1,7 @@
 // The File menu, and the questions before unsaved work would be lost.
 #pragma once
 
-#include "model/io/autosave.h"
+#include "model/io/projects/autosave.h"
 #include "views/control/filewatch.h"
 #include "views/control/studiocontext.h"
 

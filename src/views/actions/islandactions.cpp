@@ -5,7 +5,7 @@
 #include "commands/setislandflags.h"
 #include "commands/setislandtag.h"
 #include "commands/stackislands.h"
-#include "model/io/instances.h"
+#include "model/io/meshes/instances.h"
 #include "model/plain/udimtiles.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/islandfigures.h"

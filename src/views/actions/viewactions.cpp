@@ -1,6 +1,6 @@
 #include "views/actions/viewactions.h"
 
-#include "model/io/picturefiles.h"
+#include "model/io/pictures/picturefiles.h"
 #include "views/actions/choice.h"
 #include "views/control/modelpictures.h"
 #include "views/control/solvercontroller.h"

@@ -4,10 +4,10 @@
 
 #include "commands/replay.h"
 #include "model/document/relink.h"
-#include "model/io/autosave.h"
-#include "model/io/layoutfiles.h"
-#include "model/io/projectfile.h"
-#include "model/io/uvexport.h"
+#include "model/io/layouts/layoutfiles.h"
+#include "model/io/layouts/uvexport.h"
+#include "model/io/projects/autosave.h"
+#include "model/io/projects/projectfile.h"
 #include "views/control/jobrunner.h"
 #include "views/control/sessionsaver.h"
 

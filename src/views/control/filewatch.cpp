@@ -1,6 +1,6 @@
 #include "views/control/filewatch.h"
 
-#include "model/io/meshformats.h"
+#include "model/io/formats/meshformats.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 

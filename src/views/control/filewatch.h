@@ -1,7 +1,7 @@
 // Watches the file that the model came from.
 #pragma once
 
-#include "model/io/sessionlock.h"
+#include "model/io/files/sessionlock.h"
 #include "views/control/filecontroller.h"
 
 #include <QCborMap>

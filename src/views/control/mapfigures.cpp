@@ -1,6 +1,6 @@
 #include "views/control/mapfigures.h"
 
-#include "model/io/instances.h"
+#include "model/io/meshes/instances.h"
 #include "model/plain/udimtiles.h"
 #include "solver/metrics/uvoverlaps.h"
 #include "views/control/jobrunner.h"

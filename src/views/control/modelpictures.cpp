@@ -1,6 +1,6 @@
 #include "views/control/modelpictures.h"
 
-#include "model/io/texturefiles.h"
+#include "model/io/pictures/texturefiles.h"
 #include "views/control/workspace.h"
 #include "views/gl/picturereading.h"
 #include "views/gl/texturelayers.h"

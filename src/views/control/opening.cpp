@@ -1,8 +1,8 @@
 #include "views/control/opening.h"
 
-#include "model/io/meshdoctor.h"
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
+#include "model/io/layouts/meshdoctor.h"
+#include "model/io/meshes/meshfile.h"
+#include "model/io/projects/projectfile.h"
 #include "views/gl/meshdrawing.h"
 #include "views/ui/preferences.h"
 

@@ -6,8 +6,8 @@
 #include "jobs/carrytextures.h"
 #include "jobs/jobtexts.h"
 #include "jobs/othermodel.h"
-#include "model/io/fileclashes.h"
-#include "model/io/setjournal.h"
+#include "model/io/files/setjournal.h"
+#include "model/io/outputs/fileclashes.h"
 
 #include <QDir>
 

@@ -1,6 +1,6 @@
 #include "views/control/scenelight.h"
 
-#include "model/io/picturefiles.h"
+#include "model/io/pictures/picturefiles.h"
 
 namespace autocuts {
 

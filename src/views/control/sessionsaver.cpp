@@ -1,6 +1,6 @@
 #include "views/control/sessionsaver.h"
 
-#include "model/io/fileclashes.h"
+#include "model/io/outputs/fileclashes.h"
 
 #include <QBuffer>
 

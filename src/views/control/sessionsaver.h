@@ -2,8 +2,8 @@
 #pragma once
 
 #include "commands/journalrecorder.h"
-#include "model/io/projectfile.h"
-#include "model/io/sessionlock.h"
+#include "model/io/files/sessionlock.h"
+#include "model/io/projects/projectfile.h"
 #include "views/ui/task.h"
 
 #include <QImage>

@@ -1,7 +1,7 @@
 #include "views/dialogs/exportmeshdialog.h"
 
-#include "model/io/exportlosses.h"
-#include "model/io/meshfile.h"
+#include "model/io/meshes/exportlosses.h"
+#include "model/io/meshes/meshfile.h"
 #include "views/dialogs/pathfield.h"
 #include "views/ui/questions.h"
 #include "views/ui/reasons.h"

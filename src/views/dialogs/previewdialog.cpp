@@ -1,7 +1,7 @@
 #include "views/dialogs/previewdialog.h"
 
-#include "model/io/savefile.h"
-#include "model/io/uvexport.h"
+#include "model/io/files/savefile.h"
+#include "model/io/layouts/uvexport.h"
 #include "views/canvas/meshview.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"

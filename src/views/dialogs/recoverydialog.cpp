@@ -1,6 +1,6 @@
 #include "views/dialogs/recoverydialog.h"
 
-#include "model/io/projectfile.h"
+#include "model/io/projects/projectfile.h"
 #include "views/ui/dialogsize.h"
 #include "views/ui/icons.h"
 #include "views/ui/questions.h"

@@ -1,7 +1,7 @@
 // The dialog for recovering sessions after a crash.
 #pragma once
 
-#include "model/io/autosave.h"
+#include "model/io/projects/autosave.h"
 
 #include <QDialog>
 

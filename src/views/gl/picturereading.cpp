@@ -1,11 +1,11 @@
 #include "views/gl/picturereading.h"
 
-#include "model/io/picturefiles.h"
 #include "model/io/pictures/exrpictures.h"
 #include "model/io/pictures/hdrpictures.h"
+#include "model/io/pictures/picturefiles.h"
 #include "model/io/pictures/picturesize.h"
+#include "model/io/pictures/texturefiles.h"
 #include "model/io/pictures/tgapictures.h"
-#include "model/io/texturefiles.h"
 #include "model/plain/packingsettings.h"
 
 #include <QBuffer>

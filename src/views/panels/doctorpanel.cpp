@@ -1,6 +1,6 @@
 #include "views/panels/doctorpanel.h"
 
-#include "model/io/meshdoctor.h"
+#include "model/io/layouts/meshdoctor.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"

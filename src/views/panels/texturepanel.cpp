@@ -1,8 +1,8 @@
 #include "views/panels/texturepanel.h"
 
 #include "commands/edittextures.h"
-#include "model/io/picturefiles.h"
-#include "model/io/texturenames.h"
+#include "model/io/pictures/picturefiles.h"
+#include "model/io/pictures/texturenames.h"
 #include "views/control/modelpictures.h"
 #include "views/control/proposedfolder.h"
 #include "views/control/workspace.h"

@@ -1,6 +1,6 @@
 #include "views/shell/startpage.h"
 
-#include "model/io/projectfile.h"
+#include "model/io/projects/projectfile.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/filecontroller.h"
 #include "views/control/workspace.h"

@@ -1,6 +1,6 @@
 #include "model/io/collada/colladamesh.h"
 
-#include "model/io/assimpsource.h"
+#include "model/io/assimp/assimpsource.h"
 
 #include <algorithm>
 #include <charconv>

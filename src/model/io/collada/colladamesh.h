@@ -1,7 +1,7 @@
 // The geometries of a Collada file, with the places of their UVs in the text.
 #pragma once
 
-#include "model/io/collada/xmlspans.h"
+#include "model/io/files/xmlspans.h"
 #include "model/plain/types.h"
 
 #include <map>

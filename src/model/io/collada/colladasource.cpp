@@ -1,8 +1,8 @@
 #include "model/io/collada/colladasource.h"
 
-#include "model/io/assimpscene.h"
+#include "model/io/assimp/assimpscene.h"
 #include "model/io/collada/colladamesh.h"
-#include "model/io/savefile.h"
+#include "model/io/files/savefile.h"
 
 #include <QCoreApplication>
 

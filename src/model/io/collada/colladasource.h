@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/result.h"
-#include "model/io/assimpsource.h"
+#include "model/io/assimp/assimpsource.h"
 #include "model/io/collada/colladamesh.h"
 
 #include <QByteArray>

@@ -1,8 +1,8 @@
 #include "model/io/gltf/gltflooks.h"
 
+#include "model/io/formats/materiallooks.h"
 #include "model/io/gltf/gltfappender.h"
-#include "model/io/materiallooks.h"
-#include "model/io/picturefiles.h"
+#include "model/io/pictures/picturefiles.h"
 
 #include <QBuffer>
 #include <QFileInfo>

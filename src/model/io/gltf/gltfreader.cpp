@@ -1,13 +1,13 @@
 #include "model/io/gltf/gltfreader.h"
 
 #include "model/document/materialcolor.h"
-#include "model/io/assimpreader.h"
+#include "model/io/assimp/assimpreader.h"
+#include "model/io/files/meshlimits.h"
+#include "model/io/files/savefile.h"
 #include "model/io/gltf/gltfnodes.h"
 #include "model/io/gltf/gltfprimitive.h"
 #include "model/io/gltf/gltftextures.h"
 #include "model/io/gltf/gltfuvnames.h"
-#include "model/io/meshlimits.h"
-#include "model/io/savefile.h"
 #include "model/plain/hardedges.h"
 
 #include <QDir>

@@ -1,12 +1,12 @@
 #include "model/io/gltf/gltfrewriter.h"
 
+#include "model/io/formats/materiallooks.h"
 #include "model/io/gltf/gltfappender.h"
 #include "model/io/gltf/gltflooks.h"
 #include "model/io/gltf/gltfprimitive.h"
 #include "model/io/gltf/gltftextures.h"
 #include "model/io/gltf/gltfuvnames.h"
 #include "model/io/gltf/gltfvertices.h"
-#include "model/io/materiallooks.h"
 
 #include <algorithm>
 #include <set>

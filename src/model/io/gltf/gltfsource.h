@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/document/scene.h"
+#include "model/io/formats/sourcecontents.h"
 #include "model/io/gltf/gltffile.h"
-#include "model/io/sourcecontents.h"
 
 #include <limits>
 #include <map>

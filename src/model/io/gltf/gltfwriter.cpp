@@ -1,8 +1,8 @@
 #include "model/io/gltf/gltfwriter.h"
 
-#include "model/io/freenames.h"
+#include "model/io/files/savefile.h"
+#include "model/io/formats/freenames.h"
 #include "model/io/gltf/gltfrewriter.h"
-#include "model/io/savefile.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>

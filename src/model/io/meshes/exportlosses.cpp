@@ -1,0 +1,221 @@
+#include "model/io/meshes/exportlosses.h"
+
+#include "model/io/assimp/assimpscene.h"
+#include "model/io/collada/colladasource.h"
+#include "model/io/fbx/fbxassimpscene.h"
+#include "model/io/fbx/fbxrewriter.h"
+#include "model/io/fbx/fbxuniquemeshes.h"
+#include "model/io/formats/materiallooks.h"
+#include "model/io/gltf/gltfwriter.h"
+#include "model/io/obj/objsource.h"
+
+#include <QCoreApplication>
+
+namespace autocuts {
+
+namespace {
+
+struct LossTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(ExportLosses)
+};
+
+//! True when the active set has UVs at some corners but not at all of them.
+bool hasPartialUv(const Scene &scene)
+{
+    if (!scene.hasUv())
+        return false;
+    const UvMatrix &uv = scene.uvSets.front().uv;
+    return !uv.allFinite();
+}
+
+void addObjLosses(QStringList &losses, const Scene &scene)
+{
+    if (scene.uvSets.size() > 1)
+        losses
+            << LossTexts::tr("OBJ holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
+    losses << LossTexts::tr("normals and vertex colours are lost");
+}
+
+//! Pictures that the format has no place for, and those that are not there.
+QStringList pictureLosses(const Scene &scene, const QString &format)
+{
+    bool lost = false;
+    QStringList missing;
+    for (int m = 0; m < std::ssize(scene.materialNames); ++m) {
+        const TextureSet set = scene.fileSet(m);
+        const auto of = [&set](TextureChannel channel) {
+            const auto found = set.find(channel);
+            return found == set.end() ? ChannelPicture() : found->second;
+        };
+        const ChannelPicture rough = of(TextureChannel::Roughness), metal = of(TextureChannel::Metalness);
+        const bool packed = rough.component > 0 || metal.component > 0;
+        const bool together = rough.picture == metal.picture && rough.component == 1 && metal.component == 2;
+        if (!rough.picture.isEmpty() || !metal.picture.isEmpty())
+            lost = lost || (isGltfFormat(format) ? !together : packed || format == QLatin1String("dae"));
+    }
+    if (const QStringList names = MaterialLooks(scene, scene.path).missing(); !names.isEmpty())
+        missing << LossTexts::tr("pictures that are not found stay names: %1")
+                       .arg(names.join(QLatin1String(", ")));
+    if (lost)
+        missing << LossTexts::tr(
+            "pictures of roughness and metalness are lost: the format holds them in another "
+            "way than this file");
+    return missing;
+}
+
+void addPlyLosses(QStringList &losses, const Scene &scene)
+{
+    if (scene.objectNames.size() > 1)
+        losses << LossTexts::tr("PLY holds one object: all are joined");
+    if (!scene.materialNames.empty())
+        losses << LossTexts::tr("materials are lost");
+    if (scene.uvSets.size() > 1)
+        losses
+            << LossTexts::tr("PLY holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
+}
+
+QStringList shapeLosses(const SourceContents &contents)
+{
+    QStringList losses;
+    if (contents.shapesWithoutFaces)
+        losses << LossTexts::tr("curves and NURBS surfaces are lost: only their places are written");
+    if (contents.stereoCameras)
+        losses << LossTexts::tr("stereo cameras are lost: only their places are written");
+    return losses;
+}
+
+//! What the format loses of the data besides the geometry.
+QStringList contentLosses(const SourceContents &contents, const QString &format)
+{
+    const bool bareMesh = format == QLatin1String("obj") || format == QLatin1String("ply");
+    QStringList losses;
+    if (contents.shapeKeys)
+        losses << LossTexts::tr("shape keys (morph targets) are lost");
+    if (bareMesh) {
+        if (contents.animations || contents.bones)
+            losses << LossTexts::tr("bones and animations are lost");
+        if (contents.hierarchy)
+            losses << LossTexts::tr("the node hierarchy is lost; positions are written in world space");
+        if (contents.lightsOrCameras)
+            losses << LossTexts::tr("lights and cameras are lost");
+        return losses;
+    }
+    if (contents.instances)
+        losses << LossTexts::tr("meshes that several nodes share become one copy per node, with its own UVs");
+    if (contents.severalAnimations && format == QLatin1String("dae"))
+        losses << LossTexts::tr("Only the first animation is written to Collada");
+    if (contents.otherAnimations)
+        losses << LossTexts::tr(
+            "animations are kept of objects and bones only, not of shape keys, materials, "
+            "lights and cameras");
+    if (contents.dualQuaternions)
+        losses << LossTexts::tr(
+            "the dual quaternions by which bones bend meshes are lost: bent shapes differ");
+    if (contents.otherScaling)
+        losses << LossTexts::tr(
+            "scales are passed on to all that is below: the file has another rule for some "
+            "objects, whose shapes can differ");
+    losses << shapeLosses(contents);
+    if (contents.bones && !contents.animations && format == QLatin1String("dae"))
+        losses << LossTexts::tr("some programs show a Collada model without animations in its rest pose");
+    return losses;
+}
+
+//! What is lost of an FBX file that Assimp does not read, or reads with other polygons.
+QStringList plainFbxLosses(const FbxSource &source)
+{
+    const SourceContents &contents = source.contents;
+    QStringList losses;
+    if (contents.bones || contents.animations)
+        losses << LossTexts::tr("bones and animations are lost: only FBX can hold those of this file");
+    if (contents.shapeKeys)
+        losses << LossTexts::tr("shape keys (morph targets) are lost");
+    if (contents.hierarchy || contents.lightsOrCameras)
+        losses << LossTexts::tr("the node hierarchy, lights and cameras are lost; positions are written in "
+                                "world space");
+    losses << LossTexts::tr("normals and vertex colours are lost");
+    return losses;
+}
+
+bool readsWithAssimp(const FbxSource &source)
+{
+    return source.twin != FbxTwin::None && source.version >= 7100;
+}
+
+QStringList fbxLosses(const FbxSource &source, const QString &format)
+{
+    const bool plain = format != QLatin1String("obj") && !readsWithAssimp(source);
+    return plain ? plainFbxLosses(source) : contentLosses(source.contents, format);
+}
+
+QStringList unequalInstances(const FbxSource &source, const Scene &scene)
+{
+    if (!hasUnequalInstances(source, scene) || (scene.uniqueMeshes && hasCopyableGeometries(source)))
+        return {};
+    return {LossTexts::tr("objects that share a mesh have one map in the file: that of the first one whose "
+                          "UVs were changed is written, unless the meshes are made unique")};
+}
+
+} // namespace
+
+void prepareExport(const Scene &scene, const QString &format)
+{
+    const auto *fbx = fbxSourceOf(scene);
+    const bool needsAssimp = format != QLatin1String("fbx") && format != QLatin1String("obj");
+    if (fbx && needsAssimp && fbx->twin == FbxTwin::Unknown)
+        assimpTwin(scene, *fbx);
+}
+
+QStringList exportLosses(const Scene &scene, const QString &format)
+{
+    QStringList losses;
+    const bool isObj = format == QLatin1String("obj");
+    const bool isPly = format == QLatin1String("ply");
+    const bool isFbx = format == QLatin1String("fbx");
+    const auto *assimp = dynamic_cast<const AssimpSource *>(scene.source.get());
+    const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get());
+    const FbxSource *fbx = fbxSourceOf(scene);
+    if (fbx && isFbx)
+        return unequalInstances(*fbx, scene);
+    if (isObj && obj) {
+        if (scene.uvSets.size() > 1)
+            losses << LossTexts::tr("OBJ holds one UV set: only \"%1\" is written")
+                          .arg(scene.uvSets.front().name);
+        return losses;
+    }
+    const GltfSource *gltf = gltfSourceOf(scene);
+    if (gltf && isGltfFormat(format))
+        return gltfLosses(*gltf, scene);
+    if (const ColladaSource *collada = colladaSourceOf(scene); collada && format == QLatin1String("dae"))
+        return colladaLosses(*collada, scene);
+    if (gltf)
+        losses << contentLosses(gltf->contents, format);
+    if (assimp)
+        losses << contentLosses(contentsOf(*assimp), format);
+    if (fbx)
+        losses << fbxLosses(*fbx, format);
+    if (!isPly)
+        losses << pictureLosses(scene, format);
+    if (isObj) {
+        addObjLosses(losses, scene);
+        return losses;
+    }
+    if (obj)
+        losses << (isFbx ? LossTexts::tr("comments and groups of the OBJ file are lost")
+                         : LossTexts::tr("comments, groups and smoothing groups of the OBJ file are lost"));
+    if (isFbx)
+        return losses;
+    if (isPly)
+        addPlyLosses(losses, scene);
+    if (isGltfFormat(format) && scene.mesh->report.polygons > 0)
+        losses << LossTexts::tr("glTF holds triangles only: polygons are split");
+    if (scene.uvSets.size() > maxAssimpUvSets)
+        losses << LossTexts::tr("UV sets after the eighth are lost");
+    if (hasPartialUv(scene))
+        losses << LossTexts::tr("corners without UV get the UV 0 0");
+    losses << LossTexts::tr("positions and UVs are rounded to single precision");
+    return losses;
+}
+
+} // namespace autocuts
