@@ -158,7 +158,7 @@ private Q_SLOTS:
         // Of an FBX file: what we have written moves objects only.
         QVERIFY(writeMesh(moved, at(u"m.fbx"_s)).ok());
         const Scene fbx = readMesh(at(u"m.fbx"_s)).value();
-        QVERIFY(fbxSourceOf(fbx)->contents.animations);
+        QVERIFY(sourceOf<FbxSource>(fbx)->contents.animations);
         QVERIFY(!losses(fbx, "glb").contains(u"animations"_s));
     }
 

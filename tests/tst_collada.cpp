@@ -231,7 +231,7 @@ void TestCollada::onlyUvsChange()
 {
     QFETCH(QByteArray, bytes);
     Scene scene = sceneOf(bytes);
-    const ColladaSource *source = colladaSourceOf(scene);
+    const ColladaSource *source = sourceOf<ColladaSource>(scene);
     QVERIFY(source);
     QCOMPARE(rewriteCollada(*source, scene), bytes);
     if (scene.uvSets.empty())
@@ -242,7 +242,7 @@ void TestCollada::onlyUvsChange()
     QCOMPARE(restOf(out), restOf(bytes));
     QVERIFY(positionsIn(out) == positionsIn(bytes));
     const Scene again = sceneOf(out);
-    QVERIFY(colladaSourceOf(again));
+    QVERIFY(sourceOf<ColladaSource>(again));
     QCOMPARE(again.uvSets.size(), scene.uvSets.size());
     QVERIFY((again.uvSets[0].uv - scene.uvSets[0].uv).cwiseAbs().maxCoeff() < 1e-6);
     if (scene.uvSets.size() > 1)
@@ -254,7 +254,7 @@ void TestCollada::textStaysInPlace()
 {
     Scene scene = sceneOf(file(twoPrimitives()));
     scene.uvSets[0].uv.row(4) << 0.5, 0.125;
-    const QByteArray out = rewriteCollada(*colladaSourceOf(scene), scene);
+    const QByteArray out = rewriteCollada(*sourceOf<ColladaSource>(scene), scene);
     // The third column, and the corners of lines, which have no UV here, are kept.
     QVERIFY(out.contains(">0 0 7 1 0 7 1 1 8 0.5 0.125 8 0 1 8 0.25 0.75 9<"));
     QVERIFY(out.contains("<p>0 0 1 1 2 2 0 0 2 3 3 4</p>"));
@@ -262,7 +262,7 @@ void TestCollada::textStaysInPlace()
     QVERIFY(out.contains("count=\"18\">0 0 7"));
     Scene spaced = sceneOf(file(polylist()));
     spaced.uvSets[0].uv.row(0) << 3, 3;
-    QVERIFY(rewriteCollada(*colladaSourceOf(spaced), spaced)
+    QVERIFY(rewriteCollada(*sourceOf<ColladaSource>(spaced), spaced)
                 .contains("<p>0 0 1 1\n2 2 3 3  0 4 1 1 4 5\t1 1 2 2 4 5</p>"));
 }
 
@@ -270,7 +270,7 @@ void TestCollada::newSet()
 {
     Scene scene = sceneOf(file(polylist()));
     scene.uvSets.insert(scene.uvSets.begin(), {u"new"_s, newUv(*scene.mesh)});
-    const QByteArray out = rewriteCollada(*colladaSourceOf(scene), scene);
+    const QByteArray out = rewriteCollada(*sourceOf<ColladaSource>(scene), scene);
     QVERIFY(out.contains(uvInput +
                          R"(<input semantic="TEXCOORD" source="#autocuts-uv-0-1" offset="2" set="1"/>)"));
     const Scene again = sceneOf(out);
@@ -286,7 +286,7 @@ void TestCollada::tooManySets()
     for (int s = 1; s < 10; ++s)
         scene.uvSets.push_back({u"set %1"_s.arg(s), newUv(*scene.mesh)});
     QVERIFY(exportLosses(scene, u"dae"_s).join(u' ').contains("after the eighth"_L1));
-    const Scene again = sceneOf(rewriteCollada(*colladaSourceOf(scene), scene));
+    const Scene again = sceneOf(rewriteCollada(*sourceOf<ColladaSource>(scene), scene));
     QCOMPARE(again.uvSets.size(), std::size_t(8));
     QVERIFY((again.uvSets[7].uv - scene.uvSets[7].uv).cwiseAbs().maxCoeff() < 1e-6);
 }
@@ -298,9 +298,9 @@ void TestCollada::mirroredAndInstanced()
     parts.moreNodes = R"(<node id="m"><instance_geometry url="#g"/></node>)";
     Scene scene = sceneOf(file(parts));
     QCOMPARE(scene.mesh->faceCount(), 6);
-    QVERIFY(colladaSourceOf(scene));
+    QVERIFY(sourceOf<ColladaSource>(scene));
     scene.uvSets[0].uv = newUv(*scene.mesh);
-    const Scene again = sceneOf(rewriteCollada(*colladaSourceOf(scene), scene));
+    const Scene again = sceneOf(rewriteCollada(*sourceOf<ColladaSource>(scene), scene));
     QVERIFY((again.uvSets[0].uv - scene.uvSets[0].uv).topRows(10).cwiseAbs().maxCoeff() < 1e-6);
     QVERIFY(exportLosses(scene, u"dae"_s).join(u' ').contains("first node"_L1));
 }
@@ -318,7 +318,7 @@ void TestCollada::otherTextIsLeftToAssimp()
 {
     QFETCH(QByteArray, bytes);
     Scene scene = sceneOf(bytes);
-    QVERIFY(scene.source && !colladaSourceOf(scene));
+    QVERIFY(scene.source && !sourceOf<ColladaSource>(scene));
     scene.uvSets[0].uv = newUv(*scene.mesh);
     const QTemporaryDir folder;
     QVERIFY(writeMesh(scene, folder.filePath(u"a.dae"_s)).ok());
@@ -427,7 +427,7 @@ void TestCollada::realFiles()
     int kept = 0;
     for (const QString &name : names) {
         Result<Scene> scene = readMesh(folder.filePath(name));
-        const ColladaSource *source = scene ? colladaSourceOf(scene.value()) : nullptr;
+        const ColladaSource *source = scene ? sourceOf<ColladaSource>(scene.value()) : nullptr;
         if (!source)
             continue;
         ++kept;
@@ -436,7 +436,7 @@ void TestCollada::realFiles()
             scene->uvSets = {{u"UVMap"_s, {}}};
         scene->uvSets[0].uv = newUv(*scene->mesh);
         const Scene again = sceneOf(rewriteCollada(*source, scene.value()), name);
-        QVERIFY2(colladaSourceOf(again), qPrintable(name));
+        QVERIFY2(sourceOf<ColladaSource>(again), qPrintable(name));
         QCOMPARE(again.uvSets.size(), scene->uvSets.size());
         if (!exportLosses(scene.value(), u"dae"_s).isEmpty())
             continue; // a mesh at several nodes

@@ -261,7 +261,7 @@ private Q_SLOTS:
 
         QVERIFY(writeMesh(scene.value(), at(u"v.fbx"_s)).ok());
         const Scene fbx = readMesh(at(u"v.fbx"_s)).value();
-        QVERIFY(fbxSourceOf(fbx)->contents.lightsOrCameras);
+        QVERIFY(sourceOf<FbxSource>(fbx)->contents.lightsOrCameras);
         const auto [low, high] = worldBox(fbx);
         QVERIFY((high - Vec3(1, 3, 0)).norm() < 1e-6 && low.norm() < 1e-6);
         // Assimp, which reads FBX for other formats, finds them again where they were.

@@ -369,8 +369,7 @@ void TestCornerColors::otherFormats()
     const Result<Scene> scene = read(bytes, format);
     QVERIFY(scene.ok());
     for (const QString &other : {u"glb"_s, u"ply"_s, u"dae"_s, u"fbx"_s}) {
-        prepareExport(scene.value(), other);
-        QVERIFY(!mentionsColors(exportLosses(scene.value(), other)));
+        QVERIFY(!mentionsColors(certainExportLosses(scene.value(), other)));
         const QString path = mFolder.filePath(u"other."_s + other);
         QVERIFY(writeMesh(scene.value(), path).ok());
         const Result<Scene> again = readMesh(path);

@@ -152,11 +152,11 @@ void TestFbxFiles::session()
     QVERIFY(loaded.ok());
     QCOMPARE(loaded->notes, QStringList());
     const Scene &again = loaded->state.scene;
-    QVERIFY(fbxSourceOf(again));
+    QVERIFY(sourceOf<FbxSource>(again));
     QCOMPARE(again.hardEdges, scene.hardEdges);
     QCOMPARE(again.objectNames, scene.objectNames);
     QCOMPARE(again.uvSets[0].uv, scene.uvSets[0].uv);
-    QCOMPARE(rewriteFbx(*fbxSourceOf(again), again), rewriteFbx(*fbxSourceOf(scene), scene));
+    QCOMPARE(rewriteFbx(*sourceOf<FbxSource>(again), again), rewriteFbx(*sourceOf<FbxSource>(scene), scene));
 }
 
 void TestFbxFiles::otherFormats()
@@ -165,8 +165,7 @@ void TestFbxFiles::otherFormats()
     Scene scene = parseFbx(sample({}), u"a.fbx"_s).value();
     scene.uvSets[0].uv = otherUv(*scene.mesh);
     scene.uvSets.push_back({u"second"_s, otherUv(*scene.mesh)});
-    prepareExport(scene, u"glb"_s);
-    const QString losses = exportLosses(scene, u"glb"_s).join(u' ');
+    const QString losses = certainExportLosses(scene, u"glb"_s).join(u' ');
     QVERIFY(losses.contains(u"one copy per node"_s));
     QVERIFY(!losses.contains(u"normals and vertex colours are lost"_s));
     for (const QString &format : {u"glb"_s, u"gltf"_s, u"dae"_s, u"ply"_s, u"obj"_s}) {
@@ -201,8 +200,8 @@ void TestFbxFiles::newFiles()
     QVERIFY(writeMesh(scene, folder.filePath(u"a.fbx"_s)).ok());
     const Result<Scene> again = readMesh(folder.filePath(u"a.fbx"_s));
     QVERIFY(again.ok());
-    QVERIFY(fbxSourceOf(again.value())->bytes.startsWith("Kaydara"));
-    QCOMPARE(fbxSourceOf(again.value())->version, 7400);
+    QVERIFY(sourceOf<FbxSource>(again.value())->bytes.startsWith("Kaydara"));
+    QCOMPARE(sourceOf<FbxSource>(again.value())->version, 7400);
     QCOMPARE(again->mesh->faceStart, scene.mesh->faceStart);
     QCOMPARE(again->mesh->area, scene.mesh->area);
     QCOMPARE(again->objectNames, scene.objectNames);
@@ -303,7 +302,7 @@ void TestFbxFiles::mutatedFilesNeverCrash()
         }
         ++read;
         QCOMPARE(QString::fromStdString(scene->mesh->validate()), QString());
-        const FbxSource &source = *fbxSourceOf(scene.value());
+        const FbxSource &source = *sourceOf<FbxSource>(scene.value());
         QCOMPARE(rewriteFbx(source, scene.value()), broken);
         scene->uvSets.insert(scene->uvSets.begin(), {u"new"_s, otherUv(*scene->mesh)});
         for (UvSet &set : scene->uvSets)
@@ -329,7 +328,7 @@ void TestFbxFiles::realFilesStayTheSame()
             continue;
         }
         ++read;
-        const FbxSource &source = *fbxSourceOf(scene.value());
+        const FbxSource &source = *sourceOf<FbxSource>(scene.value());
         QVERIFY2(rewriteFbx(source, scene.value()) == source.bytes, qPrintable(path));
         QVERIFY2(scene->mesh->validate().empty(), qPrintable(path));
         if (scene->uvSets.empty())

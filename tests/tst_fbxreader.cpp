@@ -126,7 +126,7 @@ void TestFbxReader::kinds()
     QVERIFY(scene.uvSets[1].uv.topRows(8).allFinite());
     QVERIFY(!scene.uvSets[1].uv.row(8).allFinite());
     QVERIFY(scene.notes.empty());
-    const FbxSource *source = fbxSourceOf(scene);
+    const FbxSource *source = sourceOf<FbxSource>(scene);
     QVERIFY(source);
     QCOMPARE(source->bytes, bytes);
 }
@@ -312,8 +312,8 @@ void TestFbxReader::instances()
     QCOMPARE(scene.mesh->positions(6, 2), 9.0);
     QCOMPARE(numbers(scene.uvSets[0].uv.bottomRows(8)), quadUvs);
     QVERIFY(scene.notes.at(0).contains(u"1 object(s) share a mesh"_s));
-    QVERIFY(fbxSourceOf(scene)->contents.instances);
-    QCOMPARE(fbxSourceOf(scene)->uses.at(0).instances.size(), std::size_t(2));
+    QVERIFY(sourceOf<FbxSource>(scene)->contents.instances);
+    QCOMPARE(sourceOf<FbxSource>(scene)->uses.at(0).instances.size(), std::size_t(2));
 }
 
 void TestFbxReader::materials()

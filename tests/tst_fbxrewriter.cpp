@@ -31,7 +31,7 @@ Scene parsed(const QByteArray &bytes)
 
 QByteArray written(const Scene &scene)
 {
-    return rewriteFbx(*fbxSourceOf(scene), scene);
+    return rewriteFbx(*sourceOf<FbxSource>(scene), scene);
 }
 
 FbxTree treeOf(const QByteArray &bytes)

@@ -108,7 +108,7 @@ void TestGltf::vertexOrderStays()
     UvMatrix &uv = scene.uvSets[0].uv;
     uv.row(0).array() += 3; // one corner leaves its vertex
     const Scene again = parsed(written(scene));
-    GltfFile file = gltfSourceOf(again)->file;
+    GltfFile file = sourceOf<GltfSource>(again)->file;
     const GltfDocument document = openGltf(file);
     GltfData data(document);
     const GltfPrimitive primitive = readPrimitive(data, document.json["meshes"][0]["primitives"][0]);

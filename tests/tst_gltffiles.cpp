@@ -244,7 +244,7 @@ void TestGltfFiles::sessions()
     Result<LoadedProject> project = loadProject(session);
     QVERIFY2(project.ok(), project.ok() ? "" : qPrintable(project.error().toString()));
     Scene &scene = project->state.scene;
-    QVERIFY(gltfSourceOf(scene));
+    QVERIFY(sourceOf<GltfSource>(scene));
     QCOMPARE(scene.path, path);
     QVERIFY(writeMesh(scene, path).ok());
     QCOMPARE(contentOf(path), file.text("in.bin"));
@@ -276,7 +276,7 @@ void TestGltfFiles::sessions()
     QCOMPARE(lost, QStringList{u"the glTF file"_s});
     parts = scenePartsOf(state.scene);
     parts.erase("polygons");
-    QVERIFY(gltfSourceOf(readSceneParts(parts, session, lost).value()));
+    QVERIFY(sourceOf<GltfSource>(readSceneParts(parts, session, lost).value()));
 }
 
 //! Also the polygons, which are in the glTF file as well.
@@ -455,7 +455,7 @@ void TestGltfFiles::mutations()
         QCOMPARE(QString::fromStdString(scene->mesh->validate()), QString());
         for (UvSet &set : scene->uvSets)
             set.uv = seamyUv(*scene->mesh);
-        if (!gltfSourceOf(scene.value()))
+        if (!sourceOf<GltfSource>(scene.value()))
             continue;
         const QTemporaryDir folder;
         const QString path = folder.filePath(u"out.glb"_s);
@@ -493,12 +493,12 @@ void TestGltfFiles::realFiles()
         const QByteArray out = written(scene.value());
         const Scene again = parsed(out);
         QCOMPARE(again.mesh->faceCount(), scene->mesh->faceCount());
-        if (gltfSourceOf(scene.value())->contents.instances ||
-            gltfSourceOf(scene.value())->contents.compressed)
+        if (sourceOf<GltfSource>(scene.value())->contents.instances ||
+            sourceOf<GltfSource>(scene.value())->compressed)
             continue;
         ++changed;
         QVERIFY2(uvDifference(scene.value(), again) < 1e-4, qPrintable(path));
-        QCOMPARE(path + differenceOf(gltfSourceOf(scene.value())->file, {out, {}}), path);
+        QCOMPARE(path + differenceOf(sourceOf<GltfSource>(scene.value())->file, {out, {}}), path);
     }
     if (changed == 0)
         QSKIP("there are no glTF files");

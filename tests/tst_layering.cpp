@@ -27,7 +27,10 @@ struct Layer
 };
 
 const std::vector<Layer> layers{
-    {"model", {"plain", "transfer", "document", "samples", "io"}, {}},
+    {"model",
+     {"plain", "transfer", "document", "samples", "io/files", "io/pictures", "io/formats", "io/obj",
+      "io/assimp", "io/gltf", "io/collada", "io/fbx", "io/meshes", "io/projects", "io/outputs", "io/layouts"},
+     {}},
     {"reader", {""}, {"model"}},
     {"commands", {""}, {"model"}},
     {"solver",
@@ -264,6 +267,9 @@ private Q_SLOTS:
         // Between the folders of a layer.
         row("model/plain/meshdata.h", "model/document/scene.h", true);
         row("model/document/scene.h", "model/io/meshes/meshfile.h", true);
+        row("model/io/assimp/assimpscene.h", "model/io/gltf/gltfsource.h", true);
+        row("model/io/formats/modelunits.h", "model/io/meshes/meshfile.h", true);
+        row("model/io/file.h", "model/io/files/savefile.h", true);
         row("solver/base/soup.h", "solver/energy/energyterm.h", true);
         row("solver/search/cutstate.h", "solver/definite/stitching.h", true);
         row("solver/soup.cpp", "solver/base/soup.h", true);

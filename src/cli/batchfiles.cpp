@@ -301,9 +301,7 @@ QStringList BatchFiles::losses(const Scene &scene, const QString &path)
 {
     if (isProjectPath(path))
         return sessionLosses(scene);
-    const QString format = QFileInfo(path).suffix().toLower();
-    prepareExport(scene, format);
-    return exportLosses(scene, format);
+    return certainExportLosses(scene, QFileInfo(path).suffix().toLower());
 }
 
 } // namespace autocuts

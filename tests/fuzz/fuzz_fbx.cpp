@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     if (!scene)
         return 0;
     require(scene->mesh->validate().empty(), "the mesh is not valid");
-    const FbxSource *source = fbxSourceOf(scene.value());
+    const FbxSource *source = sourceOf<FbxSource>(scene.value());
     require(source, "the source is missing");
     require(rewriteFbx(*source, scene.value()) == bytes, "writing changes bytes");
     test::setNewUvs(scene.value());

@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     if (!scene)
         return 0;
     require(scene->mesh->validate().empty(), "the mesh is not valid");
-    const GltfSource *source = gltfSourceOf(scene.value());
+    const GltfSource *source = sourceOf<GltfSource>(scene.value());
     if (!source)
         return 0;
     require(!rewriteGltf(*source, scene.value()), "unchanged UVs are written");

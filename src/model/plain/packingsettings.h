@@ -60,7 +60,7 @@ struct PackingSettings
     int height() const { return textureHeight > 0 ? textureHeight : textureSize; }
     //! Height of a tile of the texture. Texture space is proportional to texels: a tile is 1 wide and this
     //! high, and a texel is 1 / textureSize wide and high. In files a tile is 1 high, see
-    //! model/io/meshes/tilescaling.h.
+    //! model/io/formats/tilescaling.h.
     double tileHeight() const
     {
         return textureHeight > 0 ? static_cast<double>(textureHeight) / textureSize : 1;

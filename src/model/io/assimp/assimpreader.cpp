@@ -369,6 +369,7 @@ Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop,
         return Error{QStringLiteral("the file cannot be read: its data contradict each other"), path, 0,
                      QStringLiteral("Export the model again from the program that made it, or as OBJ")};
     }
+    source->contents = contentsOf(*source);
     scene.source = std::move(source);
     return scene;
 }

@@ -3,8 +3,7 @@
 #include "model/io/assimp/assimpbinding.h"
 #include "model/io/assimp/assimpmatrix.h"
 #include "model/io/assimp/assimpmesh.h"
-#include "model/io/gltf/gltfsource.h"
-#include "model/io/obj/objsource.h"
+#include "model/io/formats/meshformats.h"
 #include "model/plain/picture.h"
 
 #include <QUrl>
@@ -166,85 +165,12 @@ std::map<std::pair<int, int>, std::vector<int>> facesByMaterial(const Scene &sce
     return faces;
 }
 
-bool hasMorphTargets(const aiScene &scene)
-{
-    return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes,
-                       [](const aiMesh *mesh) { return mesh->mNumAnimMeshes > 0; });
-}
-
-bool hasBones(const aiScene &scene)
-{
-    return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes,
-                       [](const aiMesh *mesh) { return mesh->mNumBones > 0; });
-}
-
-bool isInstanced(const AssimpSource &source)
-{
-    std::vector<unsigned> meshes;
-    for (const AssimpPiece &piece : source.pieces)
-        meshes.push_back(piece.mesh);
-    std::sort(meshes.begin(), meshes.end());
-    return std::adjacent_find(meshes.begin(), meshes.end()) != meshes.end();
-}
-
-//! True when at least one node has several meshes.
-bool hasSplitNodes(const AssimpSource &source)
-{
-    const auto sameNode = [](const AssimpPiece &a, const AssimpPiece &b) { return a.node == b.node; };
-    return std::ranges::adjacent_find(source.pieces, sameNode) != source.pieces.end();
-}
-
 } // namespace
-
-ExportOptions exportOptions(const QString &format)
-{
-    ExportOptions options;
-    options.triangulate = format == QLatin1String("glb") || format == QLatin1String("gltf");
-    // Assimp cannot read back its own Collada files with animations: withAnimations() writes them.
-    options.animations = format != QLatin1String("dae");
-    options.bindsAtParent = format == QLatin1String("dae");
-    options.joinsMaterials = format == QLatin1String("dae");
-    options.laysOutSkeletons = format == QLatin1String("dae");
-    options.namesAllBones = options.laysOutSkeletons || isGltfFormat(format);
-    options.weighsAll = isGltfFormat(format);
-    options.linearColors = isGltfFormat(format);
-    options.units = unitsOfFormat(format);
-    return options;
-}
-
-bool isFromAssimp(const Scene &scene)
-{
-    return dynamic_cast<const AssimpSource *>(scene.source.get()) != nullptr;
-}
-
-SourceContents contentsOf(const AssimpSource &source)
-{
-    const aiScene &from = *source.scene;
-    SourceContents contents;
-    contents.bones = hasBones(from);
-    contents.shapeKeys = hasMorphTargets(from);
-    for (unsigned a = 0; a < from.mNumAnimations; ++a) {
-        const aiAnimation &animation = *from.mAnimations[a];
-        contents.animations = true;
-        contents.severalAnimations = a > 0;
-        contents.otherAnimations |= animation.mNumMeshChannels + animation.mNumMorphMeshChannels > 0;
-    }
-    contents.lightsOrCameras = from.mNumLights > 0 || from.mNumCameras > 0;
-    contents.embeddedTextures = from.mNumTextures > 0;
-    contents.hierarchy = from.mRootNode->mNumChildren > 0;
-    contents.instances = isInstanced(source);
-    contents.splitObjects = hasSplitNodes(source);
-    return contents;
-}
 
 ExportScene::ExportScene(const Scene &scene, const ExportOptions &options)
     : mScene(new aiScene), mOptions(options)
 {
-    const auto *source = dynamic_cast<const AssimpSource *>(scene.source.get());
-    const bool fits =
-        source && !source->pieces.empty() &&
-        source->pieces.back().firstFace + source->pieces.back().faceCount == scene.mesh->faceCount();
-    if (fits)
+    if (const auto *source = sourceOf<AssimpSource>(scene))
         takeFromSource(scene, *source);
     else
         makePlain(scene);
@@ -370,8 +296,8 @@ void ExportScene::makeMaterials(const Scene &scene, const aiScene *from)
 void ExportScene::makePlain(const Scene &scene)
 {
     PositionMatrix normals;
-    if (const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get()))
-        normals = objShading(*obj).normals;
+    if (const FileSource *source = sourceOf(scene))
+        normals = source->shading().normals;
     const bool hasNormals = normals.rows() == scene.mesh->cornerCount() && normals.allFinite();
 
     makeMaterials(scene, nullptr);

@@ -6,7 +6,6 @@
 #include "model/io/assimp/assimpsource.h"
 #include "model/io/formats/materiallooks.h"
 #include "model/io/formats/modelunits.h"
-#include "model/io/formats/sourcecontents.h"
 
 #include <QString>
 
@@ -32,14 +31,6 @@ struct ExportOptions
     ModelUnits units;               //!< of the new file
     MaterialLooks *looks = nullptr; //!< names the pictures of materials; null: they have none
 };
-
-//! The options for a format. \param format lower-case suffix
-ExportOptions exportOptions(const QString &format);
-
-//! True when Assimp has read the scene. Such scenes are written by Assimp, with all that it has read.
-bool isFromAssimp(const Scene &scene);
-
-SourceContents contentsOf(const AssimpSource &source);
 
 //! A scene for Assimp's exporters. Animations, cameras and lights belong to the Scene it was made from, which
 //! must outlive it. It owns its meshes, one per AssimpPiece unless they are joined; vertices are split where

@@ -1,7 +1,7 @@
 // Links Assimp's scene and the polygon soup; used by the reader and the writer.
 #pragma once
 
-#include "model/document/scene.h"
+#include "model/io/formats/filesource.h"
 
 #include <Eigen/Core>
 
@@ -30,7 +30,7 @@ struct AssimpPiece
 };
 
 //! The scene as Assimp read it. Saving writes its nodes, materials, normals, bones and animations back.
-struct AssimpSource : SceneSource
+struct AssimpSource : FileSource
 {
     std::shared_ptr<const aiScene> scene;
     std::set<std::string> limbs; //!< nodes that the file calls bones, whether meshes have them or not
@@ -38,7 +38,12 @@ struct AssimpSource : SceneSource
     std::vector<AssimpPiece>
         //! In the order of the nodes and of the meshes in a node, so that faces and vertices are ascending.
         pieces;
+
+    bool isOf(const MeshData &mesh) const override;
 };
+
+//! What Assimp's scene holds.
+SourceContents contentsOf(const AssimpSource &source);
 
 //! The corner of the soup that is the n-th of the corners of a piece in Assimp's scene, counted without
 //! points and lines.

@@ -132,12 +132,12 @@ private:
 //! The UV sets by their names; renamed and new ones take what is left, then new numbers.
 std::vector<const UvSet *> ColladaRewriter::setsInOrder() const
 {
-    std::vector<const UvSet *> sets(mSource.uvSets.size(), nullptr), others;
+    std::vector<const UvSet *> sets(mSource.setsInFile.size(), nullptr), others;
     for (const UvSet &set : mScene.uvSets) {
-        const auto known = std::find_if(mSource.uvSets.begin(), mSource.uvSets.end(),
+        const auto known = std::find_if(mSource.setsInFile.begin(), mSource.setsInFile.end(),
                                         [&](const UvSet &old) { return old.name == set.name; });
-        const auto place = static_cast<std::size_t>(known - mSource.uvSets.begin());
-        if (known == mSource.uvSets.end() || sets[place])
+        const auto place = static_cast<std::size_t>(known - mSource.setsInFile.begin());
+        if (known == mSource.setsInFile.end() || sets[place])
             others.push_back(&set);
         else
             sets[place] = &set;
@@ -164,7 +164,7 @@ std::optional<NewUvs> ColladaRewriter::newUvs(std::size_t geometry, std::size_t 
         return {};
     const ColladaPrimitive &from = mFile.geometries[geometry].primitives[primitive];
     const AssimpPiece &soup = mSource.pieces[static_cast<std::size_t>(piece - mSource.places.begin())];
-    const UvMatrix *old = channel < mSource.uvSets.size() ? &mSource.uvSets[channel].uv : nullptr;
+    const UvMatrix *old = channel < mSource.setsInFile.size() ? &mSource.setsInFile[channel].uv : nullptr;
     NewUvs result{&set->uv, {}};
     bool isChanged = false;
     int number = 0;

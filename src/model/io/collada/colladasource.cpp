@@ -1,10 +1,8 @@
 #include "model/io/collada/colladasource.h"
 
-#include "model/io/assimp/assimpscene.h"
+#include "model/io/assimp/assimpreader.h"
 #include "model/io/collada/colladamesh.h"
 #include "model/io/files/savefile.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -132,22 +130,13 @@ std::vector<ColladaPlace> PlaceFinder::run()
     return places;
 }
 
-} // namespace
-
-const ColladaSource *colladaSourceOf(const Scene &scene)
-{
-    const auto *source = dynamic_cast<const ColladaSource *>(scene.source.get());
-    const bool fits = source && source->pieces.back().firstFace + source->pieces.back().faceCount ==
-                                    scene.mesh->faceCount();
-    return fits ? source : nullptr;
-}
-
+//! Gives the scene a ColladaSource if the text of its file is understood.
 void keepCollada(Scene &scene)
 {
-    const auto *assimp = dynamic_cast<const AssimpSource *>(scene.source.get());
+    const auto *assimp = sourceOf<AssimpSource>(scene);
     Result<QByteArray> bytes = loadFile(scene.path, maxColladaSize);
     // Text in UTF-16 contains zeros.
-    if (!assimp || assimp->pieces.empty() || !bytes || bytes->contains('\0'))
+    if (!assimp || !bytes || bytes->contains('\0'))
         return;
     const std::optional<ColladaFile> file = readCollada(textOf(bytes.value()));
     if (!file)
@@ -160,34 +149,18 @@ void keepCollada(Scene &scene)
     static_cast<AssimpSource &>(*source) = *assimp;
     source->bytes = std::move(bytes).value();
     source->places = std::move(places);
-    source->uvSets = scene.uvSets;
+    source->setsInFile = scene.uvSets;
     scene.source = std::move(source);
 }
 
-QStringList colladaLosses(const ColladaSource &source, const Scene &scene)
-{
-    QStringList losses;
-    std::set<std::pair<std::size_t, std::size_t>> seen;
-    const auto isNew = [&](const ColladaPlace &place) {
-        const bool unique = scene.uniqueMeshes && place.url > 0;
-        return seen.insert({place.geometry, place.primitive}).second || unique;
-    };
-    if (!std::all_of(source.places.begin(), source.places.end(), isNew))
-        losses << QCoreApplication::translate(
-            "ExportLosses", "meshes that several nodes share get the UVs of the first node, unless they "
-                            "are made unique");
-    if (scene.uvSets.size() < source.uvSets.size())
-        losses << QCoreApplication::translate(
-            "ExportLosses",
-            "UV sets that were removed stay in the file: its materials name UV sets by their numbers");
-    if (scene.uvSets.size() > maxAssimpUvSets)
-        losses << QCoreApplication::translate("ExportLosses", "UV sets after the eighth are lost");
-    return losses;
-}
+} // namespace
 
-Result<Done> writeCollada(const Scene &scene, const QString &path)
+Result<Scene> readColladaFile(const QString &path, const std::atomic<bool> *stop)
 {
-    return saveAtomically(path, rewriteCollada(*colladaSourceOf(scene), scene));
+    Result<Scene> scene = readWithAssimp(path, stop);
+    if (scene)
+        keepCollada(scene.value());
+    return scene;
 }
 
 } // namespace autocuts

@@ -8,6 +8,7 @@
 #include <QByteArray>
 #include <QStringList>
 
+#include <atomic>
 #include <vector>
 
 namespace autocuts {
@@ -26,15 +27,19 @@ struct ColladaSource final : AssimpSource
 {
     QByteArray bytes;
     std::vector<ColladaPlace> places; //!< of each piece
-    std::vector<UvSet> uvSets;        //!< as they were read
+    std::vector<UvSet> setsInFile;    //!< as they were read
+
+    // In colladaanswers.cpp.
+    SceneWriter rewriter(const QString &suffix) const override;
+    QStringList rewritingLosses(const Scene &scene) const override;
+    std::vector<SharedMesh> sharedMeshes(bool unique) const override;
+    Result<std::shared_ptr<const FileSource>> withUniqueMeshes(const QString &path) const override;
+    std::vector<UvSet> uvSets(const Scene & /*scene*/) const override { return setsInFile; }
 };
 
-//! The Collada source of the scene's mesh, or null.
-const ColladaSource *colladaSourceOf(const Scene &scene);
-
-//! Gives a scene that readWithAssimp() read from a .dae file a ColladaSource, when the polygons of the text
-//! and of the scene are the same. Otherwise the scene stays as it is, and Assimp writes it.
-void keepCollada(Scene &scene);
+//! Reads a .dae file by Assimp. When the polygons of the text and of the scene are the same, it has a
+//! ColladaSource; otherwise an AssimpSource. \param stop as for readMesh()
+Result<Scene> readColladaFile(const QString &path, const std::atomic<bool> *stop);
 
 //! The source with a geometry of its own for each node, where the text of the node is known: the first node
 //! keeps what they share, the others get copies of it.
@@ -46,14 +51,9 @@ void findUrls(const ColladaFile &file, std::string_view text, const std::vector<
 
 //! The bytes of the file with the UVs of the scene; the same bytes when they are those of the file. The
 //! numbers of UVs in <source> and <p> are replaced; a UV set that other things use as well, or that is new,
-//! gets a new <source>. Corners without UV keep that of the file, or get 0 0. \pre colladaSourceOf(scene) ==
-//! &source
+//! gets a new <source>. Corners without UV keep that of the file, or get 0 0. \pre
+//! sourceOf<ColladaSource>(scene)
+//! == &source
 QByteArray rewriteCollada(const ColladaSource &source, const Scene &scene);
-
-//! What rewriteCollada() loses, one line each.
-QStringList colladaLosses(const ColladaSource &source, const Scene &scene);
-
-//! Writes rewriteCollada() atomically.
-Result<Done> writeCollada(const Scene &scene, const QString &path);
 
 } // namespace autocuts

@@ -66,19 +66,13 @@ void complete(aiScene &assimp, AssimpSource &made, const QString &path, const Fb
 
 } // namespace
 
-std::optional<Scene> assimpTwin(const Scene &scene, const FbxSource &source)
+std::optional<Scene> fbxAsAssimpReads(const Scene &scene, const FbxSource &source)
 {
-    // Assimp reads files from version 7.1 on.
     Eigen::Matrix4d placement = Eigen::Matrix4d::Identity();
     placement.topLeftCorner<3, 3>() = source.space.metres * source.space.axes;
-    std::optional<Scene> twin = source.version >= 7100
-                                    ? asAssimpReads(scene, source.bytes, QStringLiteral("fbx"), placement,
-                                                    [&](aiScene &assimp, AssimpSource &made) {
-                                                        complete(assimp, made, scene.path, source, placement);
-                                                    })
-                                    : std::nullopt;
-    source.twin = twin ? FbxTwin::Found : FbxTwin::None;
-    return twin;
+    return asAssimpReads(
+        scene, source.bytes, QStringLiteral("fbx"), placement,
+        [&](aiScene &assimp, AssimpSource &made) { complete(assimp, made, scene.path, source, placement); });
 }
 
 } // namespace autocuts

@@ -110,7 +110,7 @@ std::optional<std::size_t> SceneBuilder::useOf(int node)
     if (!geometry)
         return {};
     mUseOfNode.emplace(node, mGeometries.size());
-    mSource->uses.push_back({node, static_cast<int>(geometry->faces.size()), {}, {}});
+    mSource->uses.push_back({{static_cast<int>(geometry->faces.size()), {}}, node, {}});
     mSlots.push_back(readFbxFaceSlots(mTree, *geometry));
     mGeometries.push_back(std::move(*geometry));
     return mGeometries.size() - 1;
@@ -307,12 +307,6 @@ Result<Scene> SceneBuilder::build()
 }
 
 } // namespace
-
-const FbxSource *fbxSourceOf(const Scene &scene)
-{
-    const auto *source = dynamic_cast<const FbxSource *>(scene.source.get());
-    return source && source->corners == scene.mesh->cornerCount() ? source : nullptr;
-}
 
 Result<Scene> parseFbx(QByteArray bytes, const QString &path, const std::atomic<bool> *stop)
 {

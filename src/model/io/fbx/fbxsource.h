@@ -2,10 +2,10 @@
 #pragma once
 
 #include "model/io/fbx/fbxobjects.h"
+#include "model/io/formats/filesource.h"
 
 #include <QByteArray>
 
-#include <atomic>
 #include <vector>
 
 namespace autocuts {
@@ -18,36 +18,35 @@ struct FbxUvElement
 };
 
 //! A geometry and where it is in the soup: once for each model that shows it.
-struct FbxUse
+struct FbxUse : SharedMesh
 {
-    int node = 0;      //!< the geometry
-    int faceCount = 0; //!< those of FbxGeometry::faces
+    int node = 0; //!< the geometry; faceCount is that of FbxGeometry::faces
     std::vector<FbxUvElement> elements;
-    struct Instance
-    {
-        int firstFace = 0;     //!< of the soup; the others follow in their order
-        bool mirrored = false; //!< the corners of each face are in reverse order
-    };
-    std::vector<Instance> instances;
 };
 
-//! Whether Assimp reads the same polygons from the file, for writing other formats.
-enum class FbxTwin { Unknown, Found, None };
-
 //! The bytes of the file and where its UVs are. Nodes are numbered as parseFbxTree() does it.
-struct FbxSource final : SceneSource
+struct FbxSource final : FileSource
 {
     QByteArray bytes;
     int version = 0;
     FbxSpace space;
-    SourceContents contents;
     std::vector<QString> setNames; //!< of the UV sets of the scene that was read
     std::vector<FbxUse> uses;
-    int corners = 0;                                      //!< of the mesh
-    mutable std::atomic<FbxTwin> twin = FbxTwin::Unknown; //!< set by assimpTwin()
-};
+    int corners = 0; //!< of the mesh
 
-//! The FBX source of the scene's mesh, or null.
-const FbxSource *fbxSourceOf(const Scene &scene);
+    // In fbxanswers.cpp.
+    bool isOf(const MeshData &mesh) const override;
+    SceneWriter rewriter(const QString &suffix) const override;
+    QStringList rewritingLosses(const Scene &scene) const override;
+    Scene asRewritten(const Scene &scene, double tileHeight) const override;
+    std::vector<SharedMesh> sharedMeshes(bool unique) const override;
+    Result<std::shared_ptr<const FileSource>> withUniqueMeshes(const QString &path) const override;
+    std::optional<double> metres() const override { return space.metres; }
+    std::vector<UvSet> uvSets(const Scene &scene) const override;
+    FileBlock sessionBlock() const override { return {"fbx", true}; }
+    QByteArray bytesForSession() const override { return bytes; }
+    ByAssimp readByAssimp() const override;
+    std::optional<Scene> asAssimpReads(const Scene &scene) const override;
+};
 
 } // namespace autocuts

@@ -1,6 +1,6 @@
 #include "model/io/fbx/fbxuvdata.h"
 
-#include "model/io/obj/objrewriter.h"
+#include "model/io/formats/uvcorners.h"
 
 namespace autocuts {
 

@@ -6,9 +6,10 @@
 #include "model/io/fbx/fbxnewobjects.h"
 #include "model/io/fbx/fbxuvdata.h"
 #include "model/io/fbx/fbxuvelements.h"
+#include "model/io/files/savefile.h"
+#include "model/io/formats/filesource.h"
+#include "model/io/formats/meshformats.h"
 #include "model/io/formats/modelunits.h"
-#include "model/io/gltf/gltfsource.h"
-#include "model/io/obj/objsource.h"
 #include "model/plain/picture.h"
 
 #include <algorithm>
@@ -71,19 +72,14 @@ public:
           mPositions(inUnits(scene.mesh->positions, unitsOf(scene), {})),
           mReversed(static_cast<std::size_t>(scene.mesh->faceCount()), false)
     {
-        const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get());
-        if (obj && std::ssize(obj->cornerTextureVertex) == mMesh.cornerCount()) {
-            FileShading shading = objShading(*obj);
+        if (const FileSource *source = sourceOf(scene)) {
+            FileShading shading = source->shading();
             mNormals = std::move(shading.normals);
             setSmoothing(shading.smoothing);
         }
         if (mNormals.rows() != mMesh.cornerCount() || !mNormals.allFinite())
             mNormals.resize(0, 3);
-        const auto *assimp = dynamic_cast<const AssimpSource *>(scene.source.get());
-        const bool fits =
-            assimp && !assimp->pieces.empty() &&
-            assimp->pieces.back().firstFace + assimp->pieces.back().faceCount == mMesh.faceCount();
-        if (fits)
+        if (const auto *assimp = sourceOf<AssimpSource>(scene))
             takePieces(*assimp);
     }
 
@@ -352,6 +348,11 @@ QByteArray fbxBytes(const Scene &scene, const QString &path)
     out.append(16 - out.size() % 16, '\0');
     out.append("\xe8\x1c\0\0", 4).append(120, '\0');
     return out.append(footerEnd);
+}
+
+Result<Done> writeNewFbx(const Scene &scene, const QString &path)
+{
+    return saveAtomically(path, fbxBytes(scene, path));
 }
 
 } // namespace autocuts

@@ -1,6 +1,7 @@
 // Writes new FBX files, of scenes that come from no FBX file.
 #pragma once
 
+#include "model/document/result.h"
 #include "model/document/scene.h"
 
 #include <QByteArray>
@@ -13,5 +14,8 @@ namespace autocuts {
 //! scenes each object is one mesh and one model in world space. Corners without UV have none. \param path of
 //! the file, which pictures are named from
 QByteArray fbxBytes(const Scene &scene, const QString &path = {});
+
+//! Writes that.
+Result<Done> writeNewFbx(const Scene &scene, const QString &path);
 
 } // namespace autocuts

@@ -42,6 +42,11 @@ bool hasMadeUpRoot(const QString &suffix)
     });
 }
 
+bool isGltfFormat(const QString &format)
+{
+    return format == u"gltf"_s || format == u"glb"_s;
+}
+
 QStringList readableFormats()
 {
     QStringList suffixes;

@@ -21,6 +21,9 @@ const std::vector<MeshFormat> &meshFormats();
 //! True when the root of what autocuts-reader makes of a file is not from the file. \param suffix lower-case
 bool hasMadeUpRoot(const QString &suffix);
 
+//! True for the suffixes gltf and glb, in lower case.
+bool isGltfFormat(const QString &format);
+
 //! The lower-case suffixes that readMesh() supports, OBJ first.
 QStringList readableFormats();
 //! The lower-case suffixes that writeMesh() supports, OBJ first.

@@ -1,6 +1,6 @@
 #include "model/io/formats/modelunits.h"
 
-#include "model/io/fbx/fbxsource.h"
+#include "model/io/formats/filesource.h"
 
 namespace autocuts {
 
@@ -13,8 +13,9 @@ ModelUnits unitsOfFormat(const QString &format)
 
 ModelUnits unitsOf(const Scene &scene)
 {
-    const FbxSource *fbx = fbxSourceOf(scene);
-    return fbx ? ModelUnits{fbx->space.metres, false} : unitsOfFormat(scene.format);
+    const FileSource *source = sourceOf(scene);
+    const std::optional<double> metres = source ? source->metres() : std::nullopt;
+    return metres ? ModelUnits{*metres, false} : unitsOfFormat(scene.format);
 }
 
 Eigen::Matrix4d unitChange(const ModelUnits &from, const ModelUnits &to)

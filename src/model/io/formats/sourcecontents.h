@@ -16,6 +16,7 @@ struct SourceContents
     bool stereoCameras = false;
     bool instances = false;    //!< several objects share a mesh
     bool splitObjects = false; //!< objects are one mesh for each of their materials
+    bool comments = false;     //!< comments, groups and smoothing groups of OBJ files
 };
 
 } // namespace autocuts

@@ -5,6 +5,7 @@
 #include "model/io/assimp/assimpsource.h"
 #include "model/io/assimp/assimpviews.h"
 #include "model/io/formats/materiallooks.h"
+#include "model/io/formats/meshformats.h"
 #include "model/io/gltf/gltfappender.h"
 #include "model/io/gltf/gltflooks.h"
 #include "model/io/gltf/gltfsource.h"
@@ -300,7 +301,7 @@ void removePlainRoot(Json &root)
 //! ExportScene has given them names of its own.
 void nameAnimations(Json &root, const Scene &scene)
 {
-    const auto *source = dynamic_cast<const AssimpSource *>(scene.source.get());
+    const auto *source = sourceOf<AssimpSource>(scene);
     if (!source || !root.contains("animations"))
         return;
     Json &animations = root["animations"];

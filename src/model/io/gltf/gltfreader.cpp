@@ -282,9 +282,9 @@ bool hasElements(const Json &root, const char *array)
 }
 
 //! All but instances.
-GltfContents contentsOf(const Json &root)
+void takeContents(const Json &root, GltfSource &source)
 {
-    GltfContents contents;
+    SourceContents &contents = source.contents;
     const auto uses = [&](const char *extension) {
         const Json &used = member(root, "extensionsUsed");
         return used.is_array() && std::find(used.begin(), used.end(), extension) != used.end();
@@ -300,17 +300,16 @@ GltfContents contentsOf(const Json &root)
     contents.bones = hasElements(root, "skins");
     contents.lightsOrCameras = hasElements(root, "cameras") || uses("KHR_lights_punctual");
     contents.hierarchy = member(root, "nodes").size() > 1;
-    contents.compressed = uses("KHR_draco_mesh_compression") || uses("EXT_meshopt_compression");
+    source.compressed = uses("KHR_draco_mesh_compression") || uses("EXT_meshopt_compression");
     for (const Json &image : member(root, "images"))
         contents.embeddedTextures |= !member(image, "bufferView").is_null();
     for (const Json &mesh : member(root, "meshes")) {
         contents.splitObjects |= member(mesh, "primitives").size() > 1;
         for (const Json &primitive : member(mesh, "primitives")) {
             contents.shapeKeys |= hasElements(primitive, "targets");
-            contents.tangents |= member(primitive, "attributes").contains("TANGENT");
+            source.tangents |= member(primitive, "attributes").contains("TANGENT");
         }
     }
-    return contents;
 }
 
 //! The bytes of a file that is named by a URI beside the file at `path`.
@@ -337,7 +336,7 @@ Result<Scene> parse(GltfFile file, const QString &path,
     source->file = std::move(file);
     try {
         const GltfDocument document = openGltf(source->file, fetch, stop);
-        source->contents = contentsOf(document.json);
+        takeContents(document.json, *source);
         SoupBuilder(document, stop).build(scene, *source);
     } catch (const GltfStopped &) {
         return readingCancelled(path);

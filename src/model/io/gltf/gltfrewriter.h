@@ -20,7 +20,7 @@ std::map<int, const UvSet *> texcoordsToWrite(const GltfSource &source, const Sc
 //! Tangents of changed UVs are left out: readers then compute them, as the specification says. Corners
 //! without UV keep that of the file, or get 0 0. Pictures that are other ones than those of the file's
 //! materials are added for the active UV set, and the names of new UV sets are noted. \param path of the new
-//! file \pre gltfSourceOf(scene) == &source; it outlives the result \throws GltfError
+//! file \pre sourceOf<GltfSource>(scene) == &source; it outlives the result \throws GltfError
 std::optional<GltfDocument> rewriteGltf(const GltfSource &source, const Scene &scene,
                                         const QString &path = {});
 

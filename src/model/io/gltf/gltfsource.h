@@ -1,8 +1,7 @@
 // The data of a glTF file that saving preserves.
 #pragma once
 
-#include "model/document/scene.h"
-#include "model/io/formats/sourcecontents.h"
+#include "model/io/formats/filesource.h"
 #include "model/io/gltf/gltffile.h"
 
 #include <limits>
@@ -21,15 +20,8 @@ struct GltfPiece
     bool mirrored = false;
 };
 
-//! What a file holds, for the messages about losses.
-struct GltfContents : SourceContents
-{
-    bool tangents = false;   //!< vertices have tangents
-    bool compressed = false; //!< by KHR_draco_mesh_compression or EXT_meshopt_compression
-};
-
 //! The file, and which of its primitives the faces of the soup are.
-struct GltfSource final : SceneSource
+struct GltfSource final : FileSource
 {
     GltfFile file;
     std::vector<GltfPiece> pieces;   //!< in the order of the nodes; faces are ascending
@@ -37,16 +29,23 @@ struct GltfSource final : SceneSource
     std::map<int, QString> setNames; //!< of these
     //! The first mesh that withUniqueMeshes() has added.
     std::size_t firstCopy = std::numeric_limits<std::size_t>::max();
-    GltfContents contents;
-};
+    bool tangents = false;   //!< vertices have tangents
+    bool compressed = false; //!< by KHR_draco_mesh_compression or EXT_meshopt_compression
 
-//! True for the suffixes gltf and glb, in lower case.
-bool isGltfFormat(const QString &format);
+    // In gltfanswers.cpp.
+    bool isOf(const MeshData &mesh) const override;
+    SceneWriter rewriter(const QString &suffix) const override;
+    QStringList rewritingLosses(const Scene &scene) const override;
+    std::vector<SharedMesh> sharedMeshes(bool unique) const override;
+    Result<std::shared_ptr<const FileSource>> withUniqueMeshes(const QString &path) const override;
+    std::vector<UvSet> uvSets(const Scene &scene) const override;
+    QStringList filesBeside(const QString &path) const override;
+    FileBlock sessionBlock() const override { return {"gltf", false}; }
+    QByteArray bytesForSession() const override;
+    std::optional<Scene> asAssimpReads(const Scene &scene) const override;
+};
 
 //! The name of the UV set of TEXCOORD_n where the file says none.
 QString gltfUvSetName(int texcoord);
-
-//! The glTF source of the scene's mesh, or null.
-const GltfSource *gltfSourceOf(const Scene &scene);
 
 } // namespace autocuts

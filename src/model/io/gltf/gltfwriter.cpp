@@ -272,7 +272,7 @@ bool nameNodesApart(Json &root)
 Result<Done> writeGltf(const Scene &scene, const QString &path)
 {
     try {
-        return GltfOutput(*gltfSourceOf(scene), scene.path, path).save(scene);
+        return GltfOutput(*sourceOf<GltfSource>(scene), scene.path, path).save(scene);
     } catch (const std::bad_alloc &) {
         throw;
     } catch (const std::exception &e) {
@@ -301,10 +301,10 @@ QStringList gltfLosses(const GltfSource &source, const Scene &scene)
         losses << QCoreApplication::translate(
             "ExportLosses", "meshes that several nodes share get the UVs of the first node, unless they "
                             "are made unique");
-    if (source.contents.tangents)
+    if (source.tangents)
         losses << QCoreApplication::translate(
             "ExportLosses", "tangents of changed UVs are left out: programs compute them from the UVs");
-    if (source.contents.compressed)
+    if (source.compressed)
         losses << QCoreApplication::translate("ExportLosses",
                                               "changed meshes are written without compression");
     const std::map<int, const UvSet *> written = texcoordsToWrite(source, scene);

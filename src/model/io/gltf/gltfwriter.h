@@ -13,7 +13,7 @@ namespace autocuts {
 //! it moves to another folder: those of images lead back to the folder of the source, and the files of
 //! buffers are written beside the output, before it. A changed buffer file gets the output's base name, so
 //! the files of the source stay whole; with the name of the source, the old file can be used with the new
-//! buffer. \pre gltfSourceOf(scene)
+//! buffer. \pre sourceOf<GltfSource>(scene)
 Result<Done> writeGltf(const Scene &scene, const QString &path);
 
 //! The file of the source as one .glb file, with the UVs of the file. Nodes have names of

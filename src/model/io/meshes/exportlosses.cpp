@@ -1,13 +1,10 @@
 #include "model/io/meshes/exportlosses.h"
 
-#include "model/io/assimp/assimpscene.h"
-#include "model/io/collada/colladasource.h"
-#include "model/io/fbx/fbxassimpscene.h"
-#include "model/io/fbx/fbxrewriter.h"
-#include "model/io/fbx/fbxuniquemeshes.h"
+#include "model/io/assimp/assimpsource.h"
+#include "model/io/formats/filesource.h"
 #include "model/io/formats/materiallooks.h"
-#include "model/io/gltf/gltfwriter.h"
-#include "model/io/obj/objsource.h"
+#include "model/io/formats/meshformats.h"
+#include "model/io/meshes/formatcalls.h"
 
 #include <QCoreApplication>
 
@@ -123,9 +120,8 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
 }
 
 //! What is lost of an FBX file that Assimp does not read, or reads with other polygons.
-QStringList plainFbxLosses(const FbxSource &source)
+QStringList plainFbxLosses(const SourceContents &contents)
 {
-    const SourceContents &contents = source.contents;
     QStringList losses;
     if (contents.bones || contents.animations)
         losses << LossTexts::tr("bones and animations are lost: only FBX can hold those of this file");
@@ -138,70 +134,25 @@ QStringList plainFbxLosses(const FbxSource &source)
     return losses;
 }
 
-bool readsWithAssimp(const FbxSource &source)
-{
-    return source.twin != FbxTwin::None && source.version >= 7100;
-}
-
-QStringList fbxLosses(const FbxSource &source, const QString &format)
-{
-    const bool plain = format != QLatin1String("obj") && !readsWithAssimp(source);
-    return plain ? plainFbxLosses(source) : contentLosses(source.contents, format);
-}
-
-QStringList unequalInstances(const FbxSource &source, const Scene &scene)
-{
-    if (!hasUnequalInstances(source, scene) || (scene.uniqueMeshes && hasCopyableGeometries(source)))
-        return {};
-    return {LossTexts::tr("objects that share a mesh have one map in the file: that of the first one whose "
-                          "UVs were changed is written, unless the meshes are made unique")};
-}
-
-} // namespace
-
-void prepareExport(const Scene &scene, const QString &format)
-{
-    const auto *fbx = fbxSourceOf(scene);
-    const bool needsAssimp = format != QLatin1String("fbx") && format != QLatin1String("obj");
-    if (fbx && needsAssimp && fbx->twin == FbxTwin::Unknown)
-        assimpTwin(scene, *fbx);
-}
-
-QStringList exportLosses(const Scene &scene, const QString &format)
+//! \param readByAssimp the new file gets what Assimp reads of the scene's file
+QStringList lossesOf(const Scene &scene, const QString &format, bool readByAssimp)
 {
     QStringList losses;
     const bool isObj = format == QLatin1String("obj");
     const bool isPly = format == QLatin1String("ply");
     const bool isFbx = format == QLatin1String("fbx");
-    const auto *assimp = dynamic_cast<const AssimpSource *>(scene.source.get());
-    const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get());
-    const FbxSource *fbx = fbxSourceOf(scene);
-    if (fbx && isFbx)
-        return unequalInstances(*fbx, scene);
-    if (isObj && obj) {
-        if (scene.uvSets.size() > 1)
-            losses << LossTexts::tr("OBJ holds one UV set: only \"%1\" is written")
-                          .arg(scene.uvSets.front().name);
-        return losses;
-    }
-    const GltfSource *gltf = gltfSourceOf(scene);
-    if (gltf && isGltfFormat(format))
-        return gltfLosses(*gltf, scene);
-    if (const ColladaSource *collada = colladaSourceOf(scene); collada && format == QLatin1String("dae"))
-        return colladaLosses(*collada, scene);
-    if (gltf)
-        losses << contentLosses(gltf->contents, format);
-    if (assimp)
-        losses << contentLosses(contentsOf(*assimp), format);
-    if (fbx)
-        losses << fbxLosses(*fbx, format);
+    const FileSource *source = sourceOf(scene);
+    const SourceContents contents = source ? source->contents : SourceContents();
+    if (source && source->rewriter(format))
+        return source->rewritingLosses(scene);
+    losses << (isObj || readByAssimp ? contentLosses(contents, format) : plainFbxLosses(contents));
     if (!isPly)
         losses << pictureLosses(scene, format);
     if (isObj) {
         addObjLosses(losses, scene);
         return losses;
     }
-    if (obj)
+    if (contents.comments)
         losses << (isFbx ? LossTexts::tr("comments and groups of the OBJ file are lost")
                          : LossTexts::tr("comments, groups and smoothing groups of the OBJ file are lost"));
     if (isFbx)
@@ -216,6 +167,23 @@ QStringList exportLosses(const Scene &scene, const QString &format)
         losses << LossTexts::tr("corners without UV get the UV 0 0");
     losses << LossTexts::tr("positions and UVs are rounded to single precision");
     return losses;
+}
+
+} // namespace
+
+QStringList exportLosses(const Scene &scene, const QString &format)
+{
+    const FileSource *source = sourceOf(scene);
+    return lossesOf(scene, format, !source || source->readByAssimp() != FileSource::ByAssimp::Never);
+}
+
+QStringList certainExportLosses(const Scene &scene, const QString &format)
+{
+    const FileSource *source = sourceOf(scene);
+    const bool mustAsk = source && source->readByAssimp() == FileSource::ByAssimp::Perhaps &&
+                         callsOf(format).takesNodes && !source->rewriter(format);
+    return mustAsk ? lossesOf(scene, format, source->asAssimpReads(scene).has_value())
+                   : exportLosses(scene, format);
 }
 
 } // namespace autocuts

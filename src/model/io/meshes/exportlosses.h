@@ -7,13 +7,12 @@
 
 namespace autocuts {
 
-//! The data of the scene that a file of this format loses, one line each; empty when nothing is lost.
-//! \param format lower-case suffix of the file to write
+//! The data of the scene that a file of this format loses, one line each; empty when nothing is lost. Takes
+//! for granted that Assimp reads the polygons of an FBX file, so that a file of another format gets its
+//! skeleton and animations. \param format lower-case suffix of the file to write
 QStringList exportLosses(const Scene &scene, const QString &format);
 
-//! Finds out what exportLosses() cannot say at once: whether Assimp reads the polygons of an FBX file, so
-//! that a file of another format gets its skeleton and animations. Until then exportLosses() takes that for
-//! granted. Waits for the program that reads the file; not for the GUI thread.
-void prepareExport(const Scene &scene, const QString &format);
+//! The same, but finds that out. Waits for the program that reads the file; not for the GUI thread.
+QStringList certainExportLosses(const Scene &scene, const QString &format);
 
 } // namespace autocuts

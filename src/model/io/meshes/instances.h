@@ -1,7 +1,6 @@
 // Objects that share a mesh: the file has one map for all of them.
 #pragma once
 
-#include "model/document/result.h"
 #include "model/document/scene.h"
 #include "model/plain/islandflags.h"
 
@@ -9,14 +8,6 @@ namespace autocuts {
 
 //! True when objects share a mesh, and each can get one of its own in the written file.
 bool hasSharedMeshes(const Scene &scene);
-
-//! True when a file of a format is the scene's own file with other UVs, so that objects share meshes in it.
-//! \param format lower-case suffix
-bool keepsSharedMeshes(const Scene &scene, const QString &format);
-
-//! The scene as if each object had had a mesh of its own in the file that it was read from.
-//! Takes long for large models.
-Result<Scene> withUniqueMeshes(const Scene &scene);
 
 //! The scene with the UVs that a file of a format will have: objects that share a mesh get the map of the one
 //! that is written. \param format lower-case suffix; that of sessions stands for that of the model's file

@@ -357,7 +357,8 @@ Scene ObjParser::makeScene()
     scene.mesh = MeshData::build(std::move(positions), std::move(mFaceStart), std::move(mCornerVertex),
                                  std::move(mFaceObject));
     if (mSaysShading)
-        scene.hardEdges = hardEdges(*scene.mesh, objShading(*mSource));
+        scene.hardEdges = hardEdges(*scene.mesh, mSource->shading());
+    mSource->contents.comments = true;
     scene.source = mSource;
     return scene;
 }

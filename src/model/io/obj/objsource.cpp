@@ -101,10 +101,10 @@ private:
 
 } // namespace
 
-FileShading objShading(const ObjSource &source)
+FileShading ObjSource::shading() const
 {
-    ShadingReader reader(source);
-    ObjScanner scanner({source.bytes.constData(), static_cast<std::size_t>(source.bytes.size())});
+    ShadingReader reader(*this);
+    ObjScanner scanner({bytes.constData(), static_cast<std::size_t>(bytes.size())});
     while (scanner.next())
         reader.readLine(scanner);
     return std::move(reader).result();

@@ -1,8 +1,7 @@
 // The data of an OBJ file that saving preserves.
 #pragma once
 
-#include "model/document/scene.h"
-#include "model/plain/hardedges.h"
+#include "model/io/formats/filesource.h"
 
 #include <QByteArray>
 
@@ -11,7 +10,7 @@
 namespace autocuts {
 
 //! The bytes of the file and the sources of its UVs.
-struct ObjSource final : SceneSource
+struct ObjSource final : FileSource
 {
     QByteArray bytes;
     std::vector<double> textureVertices;  //!< u and v of each vt line
@@ -21,10 +20,18 @@ struct ObjSource final : SceneSource
 
     //! The UVs in the file, one row per corner; NaN where there is none.
     UvMatrix originalUv() const;
-};
 
-//! The normals and smoothing groups in the file. Computed from the bytes on demand, since they are needed
-//! only to find hard edges and to write other formats.
-FileShading objShading(const ObjSource &source);
+    //! Computed from the bytes on demand, since they are needed only to find hard edges and to write other
+    //! formats.
+    FileShading shading() const override;
+    // In objanswers.cpp.
+    bool isOf(const MeshData &mesh) const override;
+    SceneWriter rewriter(const QString &suffix) const override;
+    QStringList rewritingLosses(const Scene &scene) const override;
+    std::vector<UvSet> uvSets(const Scene &scene) const override;
+    QStringList filesBeside(const QString &path) const override;
+    FileBlock sessionBlock() const override { return {"obj", true}; }
+    QByteArray bytesForSession() const override { return bytes; }
+};
 
 } // namespace autocuts

@@ -3,6 +3,7 @@
 #include "model/io/files/savefile.h"
 #include "model/io/formats/materiallooks.h"
 #include "model/io/formats/modelunits.h"
+#include "model/io/formats/uvcorners.h"
 #include "model/io/obj/objrewriter.h"
 
 #include <QDir>
@@ -125,12 +126,6 @@ QString placeOfLibrary(const QString &output)
     return path;
 }
 
-bool isObjFile(const Scene &scene)
-{
-    const auto *source = dynamic_cast<const ObjSource *>(scene.source.get());
-    return source && std::ssize(source->cornerTextureVertex) == scene.mesh->cornerCount();
-}
-
 QByteArray plainObj(const Scene &scene)
 {
     const MeshData &mesh = *scene.mesh;
@@ -177,16 +172,16 @@ QByteArray plainObj(const Scene &scene)
 
 QByteArray objBytes(const Scene &scene)
 {
-    if (!isObjFile(scene))
+    const auto *source = sourceOf<ObjSource>(scene);
+    if (!source)
         return plainObj(scene);
-    const auto &source = static_cast<const ObjSource &>(*scene.source);
     const UvMatrix uv = activeUv(scene);
-    return sameUv(source, uv) ? source.bytes : rewriteObj(source, *scene.mesh, uv);
+    return sameUv(*source, uv) ? source->bytes : rewriteObj(*source, *scene.mesh, uv);
 }
 
 QStringList filesBesideObj(const Scene &scene, const QString &path)
 {
-    if (isObjFile(scene) || scene.materialNames.empty())
+    if (sourceOf<ObjSource>(scene) || scene.materialNames.empty())
         return {};
     return MaterialLooks(scene, path).placeAll() << placeOfLibrary(path);
 }
@@ -194,7 +189,7 @@ QStringList filesBesideObj(const Scene &scene, const QString &path)
 Result<Done> writeObj(const Scene &scene, const QString &path)
 {
     const QByteArray bytes = objBytes(scene);
-    if (isObjFile(scene) || scene.materialNames.empty())
+    if (sourceOf<ObjSource>(scene) || scene.materialNames.empty())
         return saveAtomically(path, bytes);
     MaterialLooks looks(scene, path);
     const QByteArray library = materialLibrary(scene, looks);

@@ -1,12 +1,5 @@
-#include "model/io/outputs/fileclashes.h"
-
-#include "model/document/documentstate.h"
 #include "model/io/files/filecalls.h"
-#include "model/io/formats/materiallooks.h"
-#include "model/io/gltf/gltfsource.h"
-#include "model/io/obj/objmaterials.h"
-#include "model/io/obj/objsource.h"
-#include "model/io/obj/objwriter.h"
+#include "model/io/meshes/formatcalls.h"
 #include "model/io/pictures/texturefiles.h"
 #include "model/io/projects/projectfile.h"
 
@@ -14,7 +7,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QSet>
-#include <QUrl>
 
 namespace autocuts {
 
@@ -60,14 +52,9 @@ Result<Done> checkOutputs(const QStringList &written, const QStringList &kept)
 QStringList filesBeside(const DocumentState &model, bool onlyBaseColors)
 {
     const Scene &scene = model.scene;
-    const QDir folder = QFileInfo(scene.path).dir();
     QStringList files;
-    if (const GltfSource *gltf = gltfSourceOf(scene)) {
-        for (const auto &[uri, bytes] : gltf->file.outer)
-            files << folder.filePath(QUrl::fromPercentEncoding(uri));
-    } else if (const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get())) {
-        files << materialFiles(obj->bytes, scene.path);
-    }
+    if (const FileSource *source = sourceOf(scene))
+        files << source->filesBeside(scene.path);
     FolderNames folders;
     for (int material = -1; material < std::ssize(scene.materialNames); ++material) {
         for (const auto &[channel, entry] : model.textureSet(material)) {
@@ -91,15 +78,10 @@ QStringList filesOfSession(const DocumentState &model, const QString &sessionPat
 
 QStringList filesWrittenBeside(const QString &path, const Scene &scene)
 {
-    const QFileInfo info(path);
     if (isProjectPath(path))
         return {path + u".1"_s, path + u".2"_s, path + u".new"_s};
-    const QString suffix = info.suffix().toLower();
-    if (suffix == "gltf"_L1)
-        return {info.dir().filePath(info.completeBaseName() + u".bin"_s)};
-    if (suffix == "obj"_L1)
-        return filesBesideObj(scene, path);
-    return suffix == "dae"_L1 ? MaterialLooks(scene, path).placeAll() : QStringList();
+    const FormatCalls &format = callsOf(QFileInfo(path).suffix().toLower());
+    return format.filesBeside ? format.filesBeside(scene, path) : QStringList();
 }
 
 QStringList withTiles(const QString &path)

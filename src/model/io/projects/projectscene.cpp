@@ -3,10 +3,9 @@
 #include "model/document/bitmap.h"
 #include "model/document/cborvalues.h"
 #include "model/io/fbx/fbxreader.h"
-#include "model/io/fbx/fbxsource.h"
+#include "model/io/formats/filesource.h"
 #include "model/io/gltf/gltfreader.h"
 #include "model/io/obj/objreader.h"
-#include "model/io/obj/objsource.h"
 #include "model/io/projects/packedarrays.h"
 #include "model/plain/polygonsides.h"
 
@@ -24,13 +23,6 @@ namespace {
 //! Damaged object names are replaced only when the numbers of the objects exceed the number of faces by at
 //! most this. It keeps a damaged file from taking much memory. Chosen by hand.
 constexpr int maxEmptyObjects = 1000;
-
-//! The OBJ source of the mesh, or null.
-const ObjSource *objSourceOf(const Scene &scene)
-{
-    const auto *source = dynamic_cast<const ObjSource *>(scene.source.get());
-    return source && std::ssize(source->cornerTextureVertex) == scene.mesh->cornerCount() ? source : nullptr;
-}
 
 QCborArray textArray(const std::vector<QString> &texts)
 {
@@ -239,7 +231,8 @@ std::shared_ptr<const CornerColors> unpackedColors(const QByteArray &bytes, int 
     return std::make_shared<const CornerColors>(std::move(colors));
 }
 
-QCborMap polygonsMap(const Scene &scene)
+//! \param hasFile the file is stored, which has the vertex colours
+QCborMap polygonsMap(const Scene &scene, bool hasFile)
 {
     const MeshData &mesh = *scene.mesh;
     std::vector<int> sizes;
@@ -253,17 +246,9 @@ QCborMap polygonsMap(const Scene &scene)
                  {"faceObjects"_L1, packedArray(mesh.faceObject)}};
     if (!scene.hardEdges.empty())
         map["hardSides"_L1] = hardSides(scene);
-    if (scene.cornerColors && !gltfSourceOf(scene))
+    if (scene.cornerColors && !hasFile)
         map["cornerColors"_L1] = packedColors(*scene.cornerColors);
     return map;
-}
-
-QCborMap gltfMap(const GltfFile &file)
-{
-    QCborMap outer;
-    for (const auto &[uri, bytes] : file.outer)
-        outer[QString::fromUtf8(uri)] = bytes;
-    return {{"main"_L1, file.main}, {"outer"_L1, outer}};
 }
 
 Error damagedModel(const QString &path)
@@ -383,14 +368,12 @@ PartMap scenePartsOf(const Scene &scene)
 {
     PartMap parts;
     parts["scene"] = sceneMap(scene).toCborValue().toCbor();
-    if (const ObjSource *obj = objSourceOf(scene))
-        parts["obj"] = obj->bytes;
-    else if (const FbxSource *fbx = fbxSourceOf(scene))
-        parts["fbx"] = fbx->bytes;
-    else
-        parts["polygons"] = polygonsMap(scene).toCborValue().toCbor();
-    if (const GltfSource *gltf = gltfSourceOf(scene))
-        parts["gltf"] = gltfMap(gltf->file).toCborValue().toCbor();
+    const FileSource *source = sourceOf(scene);
+    const FileBlock block = source ? source->sessionBlock() : FileBlock();
+    if (block.name)
+        parts[block.name] = source->bytesForSession();
+    if (!block.holdsPolygons)
+        parts["polygons"] = polygonsMap(scene, block.name != nullptr).toCborValue().toCbor();
     return parts;
 }
 
@@ -424,7 +407,8 @@ QString modelPathIn(const QByteArray &sceneBlock)
 
 QStringList sessionLosses(const Scene &scene)
 {
-    if (objSourceOf(scene) || fbxSourceOf(scene) || gltfSourceOf(scene) || !scene.source)
+    const FileSource *source = sourceOf(scene);
+    if (!source || source->sessionBlock().name)
         return {};
     return {u"the session holds the polygons, objects, materials' names, vertex colours and UV sets of the "
             u"%1 file, but "
