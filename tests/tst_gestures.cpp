@@ -21,8 +21,8 @@ struct MergeCase
 {
     const char *name;
     std::vector<Make> steps;
-    Make back; //!< returns to the start (null: cannot be)
-    const char *text;
+    Make back;        //!< returns to the start (null: cannot be)
+    const char *text; //!< without translations, so with "1 edges"
 };
 
 std::vector<MergeCase> mergeCases()
@@ -52,21 +52,21 @@ std::vector<MergeCase> mergeCases()
          {paint(64, 2, 2), paint(65, 3, 3), paint(64, 1, 4)},
          paint(64, 4, 1),
          "Paint 2 edges"},
-        {"rectangle drag", {moveTo(1), moveTo(2), moveTo(3)}, moveTo(0), "Move rectangle"},
+        {"rectangle drag", {moveTo(1), moveTo(2), moveTo(3)}, moveTo(0), "Move 1 rectangles"},
         {"rectangle resize",
          {drag},
          rectangle(Rect::Resize, 1,
                    [](LayoutRectangle &r) {
                        r.upper = {0.5, 0.5};
                    }),
-         "Resize rectangle"},
+         "Resize 1 rectangles"},
         {"draw rectangle", {draw, enlarge}, nullptr, "Add rectangle"},
-        {"pin drag", {pinTo(1), pinTo(2)}, pinTo(0.25), "Move 1 pin"},
+        {"pin drag", {pinTo(1), pinTo(2)}, pinTo(0.25), "Move 1 pins"},
         {"vertex drag",
          {uvs(UvEdit::Drag, 7, 1, {1, {}, {}}), uvs(UvEdit::Drag, 8, 2, {1, {}, {}}),
           uvs(UvEdit::Drag, 7, 3, {1, {}, {}}), uvs(UvEdit::Drag, 8, 1.5, {1, {}, {}})},
          uvs(UvEdit::Drag, 7, 0.25, {1, {}, {}}),
-         "Drag 1 vertex"},
+         "Drag 1 vertices"},
         {"solver run",
          {uvs(UvEdit::Solve, 7, 1), uvs(UvEdit::Solve, 9, 2), uvs(UvEdit::Solve, 9, 3)},
          nullptr,
@@ -239,7 +239,7 @@ void TestGestures::halfCut()
     QVERIFY(pushCommand(std::make_unique<SetSeamState>(*document, SetSeamState::Edit::Cut, pair)));
     QCOMPARE(document->seams().states[2 * edge], PairState::Free);
     QCOMPARE(document->seams().states[2 * edge + 1], PairState::Cut);
-    QCOMPARE(document->undoStack().undoText(), u"Cut 1 edge"_s);
+    QCOMPARE(document->undoStack().undoText(), UndoText::tr("Cut %n edges", nullptr, 1));
 }
 
 void TestGestures::islandDragReturnsExactly()
@@ -262,7 +262,7 @@ void TestGestures::lockedIslandsStay()
     const DocumentState before = document->state();
     QVERIFY(!IslandTransform(*document, UvEdit::Move, {1}).canMove());
     QVERIFY(pushCommand(transform(UvEdit::Move, moved(1, 2), {0, 1})(*document)));
-    QCOMPARE(document->undoStack().undoText(), u"Move 1 island"_s);
+    QCOMPARE(document->undoStack().undoText(), UndoText::tr("Move %n islands", nullptr, 1));
     const UvMatrix &was = before.scene.uvSets[0].uv;
     for (int c = 0; c < document->mesh().cornerCount(); ++c) {
         const bool second = document->islands().islandOfFace(c / 4) == 1;

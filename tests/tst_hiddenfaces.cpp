@@ -72,7 +72,7 @@ private Q_SLOTS:
         QCOMPARE(document->state().hiddenFaces, QList<int>({2, 5}));
         QCOMPARE(document->selection().faces, QList<int>({1, 3}));
         hide(*document, {5}, false);
-        QCOMPARE(document->undoStack().text(1), u"Show 1 face"_s);
+        QCOMPARE(document->undoStack().text(1), UndoText::tr("Show %n faces", nullptr, 1));
         QVERIFY(pushCommand(HideFaces::others(*document, {0, 1})));
         QCOMPARE(document->state().hiddenFaces.size(), 14);
         QVERIFY(!pushCommand(HideFaces::others(*document, {0, 1, 2})));

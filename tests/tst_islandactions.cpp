@@ -175,7 +175,7 @@ private Q_SLOTS:
         studio.trigger("uv.orientEdges");
         const UvMatrix &uv = studio.document().uv();
         QVERIFY(same(uv(corner, 1), uv(corner + 1, 1)) && uv(corner + 1, 0) > uv(corner, 0));
-        QCOMPARE(studio.document().undoStack().undoText(), u"Orient 1 island"_s);
+        QCOMPARE(studio.document().undoStack().undoText(), UndoText::tr("Orient %n islands", nullptr, 1));
     }
 
     void stacksAreLaidApart()
@@ -454,7 +454,7 @@ private Q_SLOTS:
         const DocumentState before = document.state();
         studio.trigger("uv.straighten");
         QVERIFY(studio.rests());
-        QCOMPARE(document.undoStack().undoText(), u"Straighten 1 chain of edges"_s);
+        QCOMPARE(document.undoStack().undoText(), UndoText::tr("Straighten %n chains of edges", nullptr, 1));
         double low = 1, high = 0;
         for (int face = 32; face < 40; ++face) {
             const double v = document.uv()(document.mesh().faceStart[face], 1);

@@ -310,7 +310,7 @@ private Q_SLOTS:
         pushCommand(std::make_unique<SetIslandFlags>(bench.document(), Edit::Stack, std::vector<int>{1}));
         pushCommand(
             std::make_unique<SetIslandFlags>(bench.document(), Edit::Unstack, std::vector<int>{0, 1}));
-        QCOMPARE(bench.stack().undoText(), QStringLiteral("Unstack 1 island"));
+        QCOMPARE(bench.stack().undoText(), UndoText::tr("Unstack %n islands", nullptr, 1));
     }
 
     void theDensityThatIsShownChangesNothing()

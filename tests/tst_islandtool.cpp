@@ -34,7 +34,7 @@ private Q_SLOTS:
         const UvMatrix after = moved(before, leftFaces, Vec2(0.1, 0.2));
         QVERIFY((document().uv() - after).cwiseAbs().maxCoeff() < 1e-12);
         QCOMPARE(document().undoStack().count(), 1);
-        QCOMPARE(document().undoStack().undoText(), u"Move 1 island"_s);
+        QCOMPARE(document().undoStack().undoText(), UndoText::tr("Move %n islands", nullptr, 1));
         const UvMatrix exact = document().uv();
         document().undoStack().undo();
         QVERIFY(document().uv() == before);

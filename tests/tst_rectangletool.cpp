@@ -106,7 +106,7 @@ private Q_SLOTS:
         drag(pixel({0.6, 0.35}), pixel({0.6, 0.35}) + QPoint(20, -10));
         QVERIFY((rectangles().front().lower - Vec2(0.7, 0.25)).norm() < 1e-12);
         QVERIFY((rectangles().front().upper - Vec2(1.5, 0.85)).norm() < 1e-12);
-        QCOMPARE(document().undoStack().undoText(), u"Move rectangle"_s);
+        QCOMPARE(document().undoStack().undoText(), UndoText::tr("Move %n rectangles", nullptr, 1));
         QCOMPARE(document().undoStack().count(), 2);
         document().undoStack().undo();
         QVERIFY(rectangles().front() == before);
@@ -143,7 +143,7 @@ private Q_SLOTS:
         drag(from, from + QPoint(20, -20));
         QVERIFY((rectangles().front().lower - Vec2(lower.x(), lower.y())).norm() < 1e-12);
         QVERIFY((rectangles().front().upper - Vec2(upper.x(), upper.y())).norm() < 1e-12);
-        QCOMPARE(document().undoStack().undoText(), u"Resize rectangle"_s);
+        QCOMPARE(document().undoStack().undoText(), UndoText::tr("Resize %n rectangles", nullptr, 1));
         QCOMPARE(document().undoStack().count(), 2);
         document().undoStack().undo();
         QCOMPARE(rectangles().front().upper, Vec2(1.4, 0.8));
@@ -185,7 +185,7 @@ private Q_SLOTS:
         QTest::keyClicks(name, u"head"_s);
         QTest::keyClick(name, Qt::Key_Return);
         QCOMPARE(rectangles().front().name, u"head"_s);
-        QCOMPARE(document().undoStack().undoText(), u"Rename rectangle"_s);
+        QCOMPARE(document().undoStack().undoText(), UndoText::tr("Rename %n rectangles", nullptr, 1));
         QCOMPARE(document().undoStack().count(), 2);
         document().undoStack().undo();
         QCOMPARE(rectangles().front().name, u"box"_s);
@@ -206,11 +206,11 @@ private Q_SLOTS:
         type("rectangleU", u"0.25"_s);
         QVERIFY((rectangles().front().lower - Vec2(0.25, 0.2)).norm() < 1e-12);
         QVERIFY((rectangles().front().upper - Vec2(1.05, 0.8)).norm() < 1e-12);
-        QCOMPARE(document().undoStack().undoText(), u"Move rectangle"_s);
+        QCOMPARE(document().undoStack().undoText(), UndoText::tr("Move %n rectangles", nullptr, 1));
         type("rectangleHeight", u"0.5"_s);
         QVERIFY((rectangles().front().upper - Vec2(1.05, 0.7)).norm() < 1e-12);
         QVERIFY((rectangles().front().lower - Vec2(0.25, 0.2)).norm() < 1e-12);
-        QCOMPARE(document().undoStack().undoText(), u"Resize rectangle"_s);
+        QCOMPARE(document().undoStack().undoText(), UndoText::tr("Resize %n rectangles", nullptr, 1));
 
         auto *unit = child<QComboBox>("rectangleUnit");
         unit->setCurrentIndex(1);
@@ -268,7 +268,8 @@ private Q_SLOTS:
         const UvMatrix before = document().uv();
         drag(pixel({0.3, 0.3}), pixel({1, 0.5}));
         QCOMPARE(rectangles()[0].faces, leftFaces);
-        QCOMPARE(document().undoStack().undoText(), u"Assign faces to rectangle"_s);
+        QCOMPARE(document().undoStack().undoText(),
+                 UndoText::tr("Assign faces to %n rectangles", nullptr, 1));
         QCOMPARE(tool().active(), 1);
         // Into another one: no face is in two.
         drag(pixel({0.3, 0.3}), pixel({1, 1.2}));

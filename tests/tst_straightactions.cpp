@@ -183,7 +183,7 @@ private Q_SLOTS:
         const DocumentState before = document.state();
         studio.trigger("uv.alignAxes");
         QVERIFY(studio.rests());
-        QCOMPARE(document.undoStack().undoText(), u"Align 1 island to the axes"_s);
+        QCOMPARE(document.undoStack().undoText(), UndoText::tr("Align %n islands to the axes", nullptr, 1));
         QVERIFY(isAligned(document.islands().islandOfFace(0)));
         QVERIFY(!isAligned(1 - document.islands().islandOfFace(0)));
         QVERIFY(studio.isValid());

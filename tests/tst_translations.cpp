@@ -19,6 +19,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QTranslator>
 #include <QXmlStreamReader>
 
 #include <map>
@@ -313,6 +314,15 @@ private Q_SLOTS:
         studio.action("uv.cut")->trigger();
         const QString text = studio.document()->undoStack().undoText();
         QVERIFY2(QRegularExpression(u"^[0-9]+ Kanten schneiden$"_s).match(text).hasMatch(), qPrintable(text));
+    }
+
+    void englishHasASingular()
+    {
+        QTranslator english;
+        QVERIFY(english.load(u"autocuts_en"_s, u":/translations"_s));
+        QCOMPARE(english.translate("UndoText", "Cut %n edges", nullptr, 1), u"Cut %n edge"_s);
+        QCOMPARE(english.translate("UndoText", "Move %n rectangles", nullptr, 1), u"Move rectangle"_s);
+        QCOMPARE(english.translate("UndoText", "Move %n rectangles", nullptr, 2), u"Move %n rectangles"_s);
     }
 
     void buttonsOfQtAreGerman()

@@ -2199,17 +2199,6 @@
     </message>
 </context>
 <context>
-    <name>Journal</name>
-    <message>
-        <source>A recorded command is damaged or does not fit the document</source>
-        <translation>Ein aufgezeichneter Befehl ist beschädigt oder passt nicht zum Dokument</translation>
-    </message>
-    <message>
-        <source>Open the session without replaying it</source>
-        <translation>Öffnen Sie die Sitzung, ohne ihn zu wiederholen</translation>
-    </message>
-</context>
-<context>
     <name>LayoutChoices</name>
     <message>
         <source>Pivot</source>
@@ -2942,7 +2931,7 @@
     </message>
 </context>
 <context>
-    <name>Undo Commands</name>
+    <name>UndoText</name>
     <message>
         <source>Change lambda</source>
         <translation>Lambda ändern</translation>
@@ -3051,113 +3040,100 @@
         <source>Change settings</source>
         <translation>Einstellungen ändern</translation>
     </message>
-    <message>
-        <source>Rip %n edge</source>
-        <translation>%n Kante auftrennen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Rip %n edges</source>
-        <translation>%n Kanten auftrennen</translation>
+        <translation>
+            <numerusform>%n Kante auftrennen</numerusform>
+            <numerusform>%n Kanten auftrennen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Stitch %n edge</source>
-        <translation>%n Kante vernähen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Stitch %n edges</source>
-        <translation>%n Kanten vernähen</translation>
+        <translation>
+            <numerusform>%n Kante vernähen</numerusform>
+            <numerusform>%n Kanten vernähen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Pin %n corner</source>
-        <translation>%n Ecke pinnen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Pin %n corners</source>
-        <translation>%n Ecken pinnen</translation>
+        <translation>
+            <numerusform>%n Ecke pinnen</numerusform>
+            <numerusform>%n Ecken pinnen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Unpin %n corner</source>
-        <translation>%n Ecke lösen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Unpin %n corners</source>
-        <translation>%n Ecken lösen</translation>
+        <translation>
+            <numerusform>%n Ecke lösen</numerusform>
+            <numerusform>%n Ecken lösen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Move %n pin</source>
-        <translation>%n Pin verschieben</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Move %n pins</source>
-        <translation>%n Pins verschieben</translation>
+        <translation>
+            <numerusform>%n Pin verschieben</numerusform>
+            <numerusform>%n Pins verschieben</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Change %n pin</source>
-        <translation>%n Pin ändern</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Change %n pins</source>
-        <translation>%n Pins ändern</translation>
+        <translation>
+            <numerusform>%n Pin ändern</numerusform>
+            <numerusform>%n Pins ändern</numerusform>
+        </translation>
     </message>
     <message>
         <source>Add rectangle</source>
         <translation>Rechteck hinzufügen</translation>
     </message>
-    <message>
-        <source>Remove rectangle</source>
-        <translation>Rechteck entfernen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Remove %n rectangles</source>
-        <translation>%n Rechtecke entfernen</translation>
+        <translation>
+            <numerusform>Rechteck entfernen</numerusform>
+            <numerusform>%n Rechtecke entfernen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Move rectangle</source>
-        <translation>Rechteck verschieben</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Move %n rectangles</source>
-        <translation>%n Rechtecke verschieben</translation>
+        <translation>
+            <numerusform>Rechteck verschieben</numerusform>
+            <numerusform>%n Rechtecke verschieben</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Resize rectangle</source>
-        <translation>Größe des Rechtecks ändern</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Resize %n rectangles</source>
-        <translation>Größe von %n Rechtecken ändern</translation>
+        <translation>
+            <numerusform>Größe des Rechtecks ändern</numerusform>
+            <numerusform>Größe von %n Rechtecken ändern</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Assign faces to rectangle</source>
-        <translation>Rechteck Flächen zuweisen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Assign faces to %n rectangles</source>
-        <translation>%n Rechtecken Flächen zuweisen</translation>
+        <translation>
+            <numerusform>Rechteck Flächen zuweisen</numerusform>
+            <numerusform>%n Rechtecken Flächen zuweisen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Rename rectangle</source>
-        <translation>Rechteck umbenennen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Rename %n rectangles</source>
-        <translation>%n Rechtecke umbenennen</translation>
+        <translation>
+            <numerusform>Rechteck umbenennen</numerusform>
+            <numerusform>%n Rechtecke umbenennen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Recolor rectangle</source>
-        <translation>Rechteck umfärben</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Recolor %n rectangles</source>
-        <translation>%n Rechtecke umfärben</translation>
+        <translation>
+            <numerusform>Rechteck umfärben</numerusform>
+            <numerusform>%n Rechtecke umfärben</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Change rectangle</source>
-        <translation>Rechteck ändern</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Change %n rectangles</source>
-        <translation>%n Rechtecke ändern</translation>
+        <translation>
+            <numerusform>Rechteck ändern</numerusform>
+            <numerusform>%n Rechtecke ändern</numerusform>
+        </translation>
     </message>
     <message>
         <source>Choose UV set</source>
@@ -3183,37 +3159,33 @@
         <source>Hide other faces</source>
         <translation>Andere Flächen ausblenden</translation>
     </message>
-    <message>
-        <source>Hide %n face</source>
-        <translation>%n Fläche ausblenden</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Hide %n faces</source>
-        <translation>%n Flächen ausblenden</translation>
+        <translation>
+            <numerusform>%n Fläche ausblenden</numerusform>
+            <numerusform>%n Flächen ausblenden</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Show %n face</source>
-        <translation>%n Fläche zeigen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Show %n faces</source>
-        <translation>%n Flächen zeigen</translation>
+        <translation>
+            <numerusform>%n Fläche zeigen</numerusform>
+            <numerusform>%n Flächen zeigen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Keep %n edge straight</source>
-        <translation>%n Kante gerade halten</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Keep %n edges straight</source>
-        <translation>%n Kanten gerade halten</translation>
+        <translation>
+            <numerusform>%n Kante gerade halten</numerusform>
+            <numerusform>%n Kanten gerade halten</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Release %n straight edge</source>
-        <translation>%n gerade Kante freigeben</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Release %n straight edges</source>
-        <translation>%n gerade Kanten freigeben</translation>
+        <translation>
+            <numerusform>%n gerade Kante freigeben</numerusform>
+            <numerusform>%n gerade Kanten freigeben</numerusform>
+        </translation>
     </message>
     <message>
         <source>Re-link to %1</source>
@@ -3267,245 +3239,215 @@
         <source>Reset</source>
         <translation>Zurücksetzen</translation>
     </message>
-    <message>
-        <source>Lock %n island</source>
-        <translation>%n Insel sperren</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Lock %n islands</source>
-        <translation>%n Inseln sperren</translation>
+        <translation>
+            <numerusform>%n Insel sperren</numerusform>
+            <numerusform>%n Inseln sperren</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Unlock %n island</source>
-        <translation>%n Insel entsperren</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Unlock %n islands</source>
-        <translation>%n Inseln entsperren</translation>
+        <translation>
+            <numerusform>%n Insel entsperren</numerusform>
+            <numerusform>%n Inseln entsperren</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Stack %n island</source>
-        <translation>%n Insel stapeln</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Stack %n islands</source>
-        <translation>%n Inseln stapeln</translation>
+        <translation>
+            <numerusform>%n Insel stapeln</numerusform>
+            <numerusform>%n Inseln stapeln</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Unstack %n island</source>
-        <translation>%n Insel aus dem Stapel nehmen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Unstack %n islands</source>
-        <translation>%n Inseln aus dem Stapel nehmen</translation>
+        <translation>
+            <numerusform>%n Insel aus dem Stapel nehmen</numerusform>
+            <numerusform>%n Inseln aus dem Stapel nehmen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Group %n island</source>
-        <translation>%n Insel gruppieren</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Group %n islands</source>
-        <translation>%n Inseln gruppieren</translation>
+        <translation>
+            <numerusform>%n Insel gruppieren</numerusform>
+            <numerusform>%n Inseln gruppieren</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Ungroup %n island</source>
-        <translation>%n Insel aus der Gruppe nehmen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Ungroup %n islands</source>
-        <translation>%n Inseln aus der Gruppe nehmen</translation>
+        <translation>
+            <numerusform>%n Insel aus der Gruppe nehmen</numerusform>
+            <numerusform>%n Inseln aus der Gruppe nehmen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Keep orientation of %n island</source>
-        <translation>Ausrichtung von %n Insel behalten</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Keep orientation of %n islands</source>
-        <translation>Ausrichtung von %n Inseln behalten</translation>
+        <translation>
+            <numerusform>Ausrichtung von %n Insel behalten</numerusform>
+            <numerusform>Ausrichtung von %n Inseln behalten</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Free orientation of %n island</source>
-        <translation>Ausrichtung von %n Insel freigeben</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Free orientation of %n islands</source>
-        <translation>Ausrichtung von %n Inseln freigeben</translation>
+        <translation>
+            <numerusform>Ausrichtung von %n Insel freigeben</numerusform>
+            <numerusform>Ausrichtung von %n Inseln freigeben</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Clear flags of %n island</source>
-        <translation>Marken von %n Insel löschen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Clear flags of %n islands</source>
-        <translation>Marken von %n Inseln löschen</translation>
+        <translation>
+            <numerusform>Marken von %n Insel löschen</numerusform>
+            <numerusform>Marken von %n Inseln löschen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Tag %n island</source>
-        <translation>%n Insel markieren</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Tag %n islands</source>
-        <translation>%n Inseln markieren</translation>
+        <translation>
+            <numerusform>%n Insel markieren</numerusform>
+            <numerusform>%n Inseln markieren</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Untag %n island</source>
-        <translation>Markierung von %n Insel entfernen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Untag %n islands</source>
-        <translation>Markierung von %n Inseln entfernen</translation>
+        <translation>
+            <numerusform>Markierung von %n Insel entfernen</numerusform>
+            <numerusform>Markierung von %n Inseln entfernen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Cut %n edge</source>
-        <translation>%n Kante schneiden</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Cut %n edges</source>
-        <translation>%n Kanten schneiden</translation>
+        <translation>
+            <numerusform>%n Kante schneiden</numerusform>
+            <numerusform>%n Kanten schneiden</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Join %n edge</source>
-        <translation>%n Kante verbinden</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Join %n edges</source>
-        <translation>%n Kanten verbinden</translation>
+        <translation>
+            <numerusform>%n Kante verbinden</numerusform>
+            <numerusform>%n Kanten verbinden</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Clear %n edge</source>
-        <translation>%n Kante freigeben</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Clear %n edges</source>
-        <translation>%n Kanten freigeben</translation>
+        <translation>
+            <numerusform>%n Kante freigeben</numerusform>
+            <numerusform>%n Kanten freigeben</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Paint %n edge</source>
-        <translation>%n Kante bemalen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Paint %n edges</source>
-        <translation>%n Kanten bemalen</translation>
+        <translation>
+            <numerusform>%n Kante bemalen</numerusform>
+            <numerusform>%n Kanten bemalen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Texel density weight of %n face</source>
-        <translation>Gewicht der Texeldichte von %n Fläche</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Texel density weight of %n faces</source>
-        <translation>Gewicht der Texeldichte von %n Flächen</translation>
+        <translation>
+            <numerusform>Gewicht der Texeldichte von %n Fläche</numerusform>
+            <numerusform>Gewicht der Texeldichte von %n Flächen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Move %n island</source>
-        <translation>%n Insel verschieben</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Move %n islands</source>
-        <translation>%n Inseln verschieben</translation>
+        <translation>
+            <numerusform>%n Insel verschieben</numerusform>
+            <numerusform>%n Inseln verschieben</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Rotate %n island</source>
-        <translation>%n Insel drehen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Rotate %n islands</source>
-        <translation>%n Inseln drehen</translation>
+        <translation>
+            <numerusform>%n Insel drehen</numerusform>
+            <numerusform>%n Inseln drehen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Scale %n island</source>
-        <translation>%n Insel skalieren</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Scale %n islands</source>
-        <translation>%n Inseln skalieren</translation>
+        <translation>
+            <numerusform>%n Insel skalieren</numerusform>
+            <numerusform>%n Inseln skalieren</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Drag %n vertex</source>
-        <translation>%n Vertex ziehen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Drag %n vertices</source>
-        <translation>%n Vertices ziehen</translation>
+        <translation>
+            <numerusform>%n Vertex ziehen</numerusform>
+            <numerusform>%n Vertices ziehen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Pack %n island</source>
-        <translation>%n Insel packen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Pack %n islands</source>
-        <translation>%n Inseln packen</translation>
+        <translation>
+            <numerusform>%n Insel packen</numerusform>
+            <numerusform>%n Inseln packen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Align %n island</source>
-        <translation>%n Insel ausrichten</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Align %n islands</source>
-        <translation>%n Inseln ausrichten</translation>
+        <translation>
+            <numerusform>%n Insel ausrichten</numerusform>
+            <numerusform>%n Inseln ausrichten</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Distribute %n island</source>
-        <translation>%n Insel verteilen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Distribute %n islands</source>
-        <translation>%n Inseln verteilen</translation>
+        <translation>
+            <numerusform>%n Insel verteilen</numerusform>
+            <numerusform>%n Inseln verteilen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Mirror %n island</source>
-        <translation>%n Insel spiegeln</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Mirror %n islands</source>
-        <translation>%n Inseln spiegeln</translation>
+        <translation>
+            <numerusform>%n Insel spiegeln</numerusform>
+            <numerusform>%n Inseln spiegeln</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Orient %n island</source>
-        <translation>Lage von %n Insel ausrichten</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Orient %n islands</source>
-        <translation>Lage von %n Inseln ausrichten</translation>
+        <translation>
+            <numerusform>Lage von %n Insel ausrichten</numerusform>
+            <numerusform>Lage von %n Inseln ausrichten</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Randomise %n island</source>
-        <translation>%n Insel zufällig anordnen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Randomise %n islands</source>
-        <translation>%n Inseln zufällig anordnen</translation>
+        <translation>
+            <numerusform>%n Insel zufällig anordnen</numerusform>
+            <numerusform>%n Inseln zufällig anordnen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Straighten %n chain of edges</source>
-        <translation>%n Kantenkette begradigen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Straighten %n chains of edges</source>
-        <translation>%n Kantenketten begradigen</translation>
+        <translation>
+            <numerusform>%n Kantenkette begradigen</numerusform>
+            <numerusform>%n Kantenketten begradigen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Relax %n face</source>
-        <translation>%n Fläche entspannen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Relax %n faces</source>
-        <translation>%n Flächen entspannen</translation>
+        <translation>
+            <numerusform>%n Fläche entspannen</numerusform>
+            <numerusform>%n Flächen entspannen</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Align %n island to the axes</source>
-        <translation>%n Insel an den Achsen ausrichten</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Align %n islands to the axes</source>
-        <translation>%n Inseln an den Achsen ausrichten</translation>
+        <translation>
+            <numerusform>%n Insel an den Achsen ausrichten</numerusform>
+            <numerusform>%n Inseln an den Achsen ausrichten</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>Straighten %n face to a grid</source>
-        <translation>%n Fläche zu einem Raster begradigen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Straighten %n faces to a grid</source>
-        <translation>%n Flächen zu einem Raster begradigen</translation>
+        <translation>
+            <numerusform>%n Fläche zu einem Raster begradigen</numerusform>
+            <numerusform>%n Flächen zu einem Raster begradigen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Solve</source>
@@ -3543,13 +3485,12 @@
         <source>Remove all chosen textures</source>
         <translation>Alle gewählten Texturen entfernen</translation>
     </message>
-    <message>
-        <source>Add %n texture</source>
-        <translation>%n Textur hinzufügen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Add %n textures</source>
-        <translation>%n Texturen hinzufügen</translation>
+        <translation>
+            <numerusform>%n Textur hinzufügen</numerusform>
+            <numerusform>%n Texturen hinzufügen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Change textures</source>
@@ -3579,13 +3520,12 @@
         <source>Finish selection</source>
         <translation>Auswahl fertigstellen</translation>
     </message>
-    <message>
-        <source>Tear %n edge</source>
-        <translation>%n Kante aufreißen</translation>
-    </message>
-    <message>
+    <message numerus="yes">
         <source>Tear %n edges</source>
-        <translation>%n Kanten aufreißen</translation>
+        <translation>
+            <numerusform>%n Kante aufreißen</numerusform>
+            <numerusform>%n Kanten aufreißen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Make meshes unique</source>

@@ -1,6 +1,5 @@
 #include "commands/changesettings.h"
 
-#include "commands/commandreading.h"
 #include "model/plain/settingsproperties.h"
 
 namespace autocuts {
@@ -9,107 +8,96 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! The label for a change of one property; null when it changes none or several.
-const char *solveText(int properties)
+//! The label for a change of one property; empty when it changes none or several.
+QString solveText(int properties)
 {
     switch (properties) {
     case LambdaProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change lambda");
+        return UndoText::tr("Change lambda");
     case DeltaProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change delta");
+        return UndoText::tr("Change delta");
     case BoxWeightProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change rectangle weight");
+        return UndoText::tr("Change rectangle weight");
     case EnergyProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change distortion energy");
+        return UndoText::tr("Change distortion energy");
     case WeightingProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change seam weighting");
+        return UndoText::tr("Change seam weighting");
     case StartProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change start");
+        return UndoText::tr("Change start");
     case SolverProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change solver");
+        return UndoText::tr("Change solver");
     case SeedProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change seed");
+        return UndoText::tr("Change seed");
     case CreasesProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change seams on creases");
+        return UndoText::tr("Change seams on creases");
     case CreaseStrengthProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change weight of creases");
+        return UndoText::tr("Change weight of creases");
     case VisibilityProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change hiding of seams");
+        return UndoText::tr("Change hiding of seams");
     case SymmetryProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change symmetry of cuts");
+        return UndoText::tr("Change symmetry of cuts");
     case SeamModeProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change whose seams");
+        return UndoText::tr("Change whose seams");
     case SeamSourcesProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change sources of given seams");
+        return UndoText::tr("Change sources of given seams");
     case SharpAngleProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change angle of sharp edges");
+        return UndoText::tr("Change angle of sharp edges");
     case AlignProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change alignment to the axes");
+        return UndoText::tr("Change alignment to the axes");
     case MirrorMapsProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change mirrored maps");
+        return UndoText::tr("Change mirrored maps");
     case WorldUpProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change what is up in the map");
+        return UndoText::tr("Change what is up in the map");
     case FlatProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change shape of flat faces");
+        return UndoText::tr("Change shape of flat faces");
     case SurfaceProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change what the model is like");
+        return UndoText::tr("Change what the model is like");
     case AlikeProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change cuts of alike parts");
+        return UndoText::tr("Change cuts of alike parts");
     case MaxDistortionProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change distortion budget");
+        return UndoText::tr("Change distortion budget");
     default:
-        return nullptr;
+        return {};
     }
 }
 
 //! The same for the packing settings.
-const char *packingText(int properties)
+QString packingText(int properties)
 {
     switch (properties) {
     case TextureSizeProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change texture size");
+        return UndoText::tr("Change texture size");
     case MarginProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change margin");
+        return UndoText::tr("Change margin");
     case UdimTileProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change UDIM tile");
+        return UndoText::tr("Change UDIM tile");
     case RotationProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change rotation of islands");
+        return UndoText::tr("Change rotation of islands");
     case KeepScaleProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change keep scale");
+        return UndoText::tr("Change keep scale");
     case BorderProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change border of the tile");
+        return UndoText::tr("Change border of the tile");
     case EffortProperty:
-        return QT_TRANSLATE_NOOP("Undo Commands", "Change packing effort");
+        return UndoText::tr("Change packing effort");
     default:
-        return nullptr;
+        return {};
     }
 }
 
 } // namespace
 
 ChangeSettings::ChangeSettings(Document &document, const SolveSettings &solve, const PackingSettings &packing)
-    : DocumentCommand(document), mSolveBefore(document.solveSettings()),
-      mSolveAfter(isValid(solve) ? solve : mSolveBefore), mPackingBefore(document.packingSettings()),
-      mPackingAfter(packing.isValid() ? packing : mPackingBefore),
-      mSolveProperties(differences(mSolveBefore, mSolveAfter)),
-      mPackingProperties(differences(mPackingBefore, mPackingAfter))
+    : ChangeValue(document, {document.solveSettings(), document.packingSettings()},
+                  {isValid(solve) ? solve : document.solveSettings(),
+                   packing.isValid() ? packing : document.packingSettings()}),
+      mSolveProperties(differences(mBefore.solve, mAfter.solve)),
+      mPackingProperties(differences(mBefore.packing, mAfter.packing))
 {}
 
-bool ChangeSettings::hasAnyChanges() const
+void ChangeSettings::set(const BothSettings &settings)
 {
-    return mSolveBefore != mSolveAfter || mPackingBefore != mPackingAfter;
-}
-
-void ChangeSettings::apply()
-{
-    setSolveSettings(mSolveAfter);
-    setPackingSettings(mPackingAfter);
-}
-
-void ChangeSettings::revert()
-{
-    setSolveSettings(mSolveBefore);
-    setPackingSettings(mPackingBefore);
+    editor().setSolveSettings(settings.solve);
+    editor().setPackingSettings(settings.packing);
 }
 
 bool ChangeSettings::absorb(const DocumentCommand &newer)
@@ -117,37 +105,33 @@ bool ChangeSettings::absorb(const DocumentCommand &newer)
     const auto &other = static_cast<const ChangeSettings &>(newer);
     if (other.mSolveProperties != mSolveProperties || other.mPackingProperties != mPackingProperties)
         return false;
-    mSolveAfter = other.mSolveAfter;
-    mPackingAfter = other.mPackingAfter;
+    mAfter = other.mAfter;
     return true;
 }
 
 QString ChangeSettings::label() const
 {
-    const int solve = differences(mSolveBefore, mSolveAfter);
-    const int packing = differences(mPackingBefore, mPackingAfter);
-    if (packing == 0 && solveText(solve))
-        return plainText(solveText(solve));
-    if (solve == 0 && packingText(packing))
-        return plainText(packingText(packing));
-    return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Change settings"));
+    const int solve = differences(mBefore.solve, mAfter.solve);
+    const int packing = differences(mBefore.packing, mAfter.packing);
+    const QString text = packing == 0 ? solveText(solve) : solve == 0 ? packingText(packing) : QString();
+    return text.isEmpty() ? UndoText::tr("Change settings") : text;
 }
 
 void ChangeSettings::writePayload(QCborMap &map) const
 {
-    map["solve"_L1] = autocuts::toCbor(mSolveAfter);
-    map["packing"_L1] = autocuts::toCbor(mPackingAfter);
+    map["solve"_L1] = autocuts::toCbor(mAfter.solve);
+    map["packing"_L1] = autocuts::toCbor(mAfter.packing);
 }
 
-Result<std::unique_ptr<DocumentCommand>> ChangeSettings::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<ChangeSettings> ChangeSettings::fromCbor(Document &document, CborReader &reader)
 {
     CborReader solveReader(reader.map("solve"_L1));
     CborReader packingReader(reader.map("packing"_L1));
     const SolveSettings solve = readSolveSettings(solveReader);
     const PackingSettings packing = readPackingSettings(packingReader);
     if (reader.failed() || solveReader.failed() || packingReader.failed())
-        return damagedCommand();
-    return std::unique_ptr<DocumentCommand>(std::make_unique<ChangeSettings>(document, solve, packing));
+        return nullptr;
+    return std::make_unique<ChangeSettings>(document, solve, packing);
 }
 
 } // namespace autocuts

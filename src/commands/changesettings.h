@@ -1,14 +1,19 @@
 // Commands that change the settings of the solver and the packer.
 #pragma once
 
-#include "commands/documentcommand.h"
-#include "model/document/cborvalues.h"
-#include "model/document/result.h"
+#include "commands/changevalue.h"
 
 namespace autocuts {
 
+struct BothSettings
+{
+    SolveSettings solve;
+    PackingSettings packing;
+    bool operator==(const BothSettings &) const = default;
+};
+
 //! Changes settings. Commands of one slider drag merge when they change the same properties.
-class ChangeSettings final : public DocumentCommand
+class ChangeSettings final : public ChangeValue<BothSettings>
 {
 public:
     //! Invalid settings are ignored.
@@ -21,21 +26,15 @@ public:
     {}
 
     CommandId commandId() const override { return CommandId::ChangeSettings; }
-    bool hasAnyChanges() const override;
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<ChangeSettings> fromCbor(Document &document, CborReader &reader);
 
 protected:
-    void apply() override;
-    void revert() override;
+    void set(const BothSettings &settings) override;
     bool absorb(const DocumentCommand &newer) override;
     void writePayload(QCborMap &map) const override;
     QString label() const override;
-    qint64 payloadBytes() const override { return 0; }
-    void clearPayload() override {}
 
 private:
-    SolveSettings mSolveBefore, mSolveAfter;
-    PackingSettings mPackingBefore, mPackingAfter;
     //! The properties that this command changes; kept when a drag returns to its start.
     int mSolveProperties, mPackingProperties;
 };

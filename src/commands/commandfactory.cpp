@@ -1,7 +1,6 @@
 #include "commands/commandfactory.h"
 
 #include "commands/changesettings.h"
-#include "commands/commandreading.h"
 #include "commands/editmapseams.h"
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
@@ -23,56 +22,75 @@ namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
+namespace {
+
+using Maker = std::unique_ptr<DocumentCommand> (*)(Document &, CborReader &);
+
+template <typename Command>
+std::unique_ptr<DocumentCommand> readAs(Document &document, CborReader &reader)
+{
+    return Command::fromCbor(document, reader);
+}
+
+struct Row
+{
+    CommandId id;
+    Maker make; //!< null: never in a journal
+};
+
+//! In the order of the ids.
+constexpr Row rows[] = {
+    {CommandId::SetSeamState, readAs<SetSeamState>},
+    {CommandId::SetSeamWeights, readAs<SetSeamWeights>},
+    {CommandId::EditRectangles, readAs<EditRectangles>},
+    {CommandId::EditPins, readAs<EditPins>},
+    {CommandId::SetUvs, readAs<SetUvs>},
+    {CommandId::ChangeSettings, readAs<ChangeSettings>},
+    {CommandId::ChooseUvSet, readAs<ChooseUvSet>},
+    {CommandId::AddUvSet, readAs<AddUvSet>},
+    {CommandId::RenameUvSet, readAs<RenameUvSet>},
+    {CommandId::DeleteUvSet, readAs<DeleteUvSet>},
+    {CommandId::SetIslandFlags, readAs<SetIslandFlags>},
+    {CommandId::SetIslandTag, readAs<SetIslandTag>},
+    {CommandId::Reset, readAs<Reset>},
+    {CommandId::StackIslands, readAs<StackIslands>},
+    {CommandId::EditMapSeams, readAs<EditMapSeams>},
+    {CommandId::ReplaceModel, nullptr},
+    {CommandId::KeepStraight, readAs<KeepStraight>},
+    {CommandId::SetTexelWeights, readAs<SetTexelWeights>},
+    {CommandId::HideFaces, readAs<HideFaces>},
+    {CommandId::EditTextures, readAs<EditTextures>},
+    {CommandId::MakeUnique, readAs<MakeUnique>},
+};
+
+constexpr bool hasEveryId()
+{
+    int id = 1;
+    for (const Row &row : rows) {
+        if (static_cast<int>(row.id) != id++)
+            return false;
+    }
+    return id == static_cast<int>(CommandId::End);
+}
+static_assert(hasEveryId(), "each CommandId needs a row, in their order");
+
+} // namespace
+
 Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Document &document)
 {
     CborReader reader(map);
-    const auto id =
-        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::MakeUnique)));
-    switch (id) {
-    case CommandId::SetSeamState:
-        return SetSeamState::fromCbor(document, reader);
-    case CommandId::SetSeamWeights:
-        return SetSeamWeights::fromCbor(document, reader);
-    case CommandId::EditRectangles:
-        return EditRectangles::fromCbor(document, reader);
-    case CommandId::EditPins:
-        return EditPins::fromCbor(document, reader);
-    case CommandId::SetUvs:
-        return SetUvs::fromCbor(document, reader);
-    case CommandId::ChangeSettings:
-        return ChangeSettings::fromCbor(document, reader);
-    case CommandId::ChooseUvSet:
-        return ChooseUvSet::fromCbor(document, reader);
-    case CommandId::AddUvSet:
-        return AddUvSet::fromCbor(document, reader);
-    case CommandId::RenameUvSet:
-        return RenameUvSet::fromCbor(document, reader);
-    case CommandId::DeleteUvSet:
-        return DeleteUvSet::fromCbor(document, reader);
-    case CommandId::SetIslandFlags:
-        return SetIslandFlags::fromCbor(document, reader);
-    case CommandId::SetIslandTag:
-        return SetIslandTag::fromCbor(document, reader);
-    case CommandId::Reset:
-        return Reset::fromCbor(document, reader);
-    case CommandId::StackIslands:
-        return StackIslands::fromCbor(document, reader);
-    case CommandId::EditMapSeams:
-        return EditMapSeams::fromCbor(document, reader);
-    case CommandId::KeepStraight:
-        return KeepStraight::fromCbor(document, reader);
-    case CommandId::SetTexelWeights:
-        return SetTexelWeights::fromCbor(document, reader);
-    case CommandId::HideFaces:
-        return HideFaces::fromCbor(document, reader);
-    case CommandId::EditTextures:
-        return EditTextures::fromCbor(document, reader);
-    case CommandId::MakeUnique:
-        return std::unique_ptr<DocumentCommand>(std::make_unique<MakeUnique>(document));
-    case CommandId::ReplaceModel: // never in a journal
-        break;
-    }
-    return damagedCommand();
+    const auto id = reader.integer("id"_L1, 1, static_cast<int>(CommandId::End) - 1);
+    const Maker make = reader.failed() ? nullptr : rows[id - 1].make;
+    std::unique_ptr<DocumentCommand> command = make ? make(document, reader) : nullptr;
+    if (!command)
+        return damagedCommand();
+    return command;
+}
+
+Error damagedCommand()
+{
+    return {
+        u"it is damaged or does not fit the document"_s, {}, 0, u"Open the session without replaying it"_s};
 }
 
 } // namespace autocuts

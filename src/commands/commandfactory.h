@@ -15,4 +15,7 @@ namespace autocuts {
 //! its value
 Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Document &document);
 
+//! The error for a description that cannot be read.
+Error damagedCommand();
+
 } // namespace autocuts

@@ -3,6 +3,7 @@
 
 namespace autocuts {
 
+//! Each has a row in commandfactory.cpp.
 enum class CommandId {
     SetSeamState = 1,
     SetSeamWeights = 2,
@@ -24,7 +25,8 @@ enum class CommandId {
     SetTexelWeights = 18,
     HideFaces = 19,
     EditTextures = 20,
-    MakeUnique = 21
+    MakeUnique = 21,
+    End //!< no command: one more than the last id
 };
 
 } // namespace autocuts

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "commands/commandids.h"
-#include "model/document/document.h"
+#include "model/document/cborvalues.h"
+#include "model/document/documenteditor.h"
 
 #include <QCborMap>
+#include <QCoreApplication>
 
 #include <memory>
 
@@ -43,6 +45,7 @@ protected:
     explicit DocumentCommand(Document &document);
 
     Document &document() const { return mDocument; }
+    DocumentEditor editor() const { return DocumentEditor(mDocument); }
 
     virtual void apply() = 0;
     //! Restores exactly the state before apply().
@@ -57,45 +60,8 @@ protected:
     virtual void clearPayload() = 0;
     void compact() override {}
 
-    // For commands that consist of other commands.
-    static void applyPart(DocumentCommand &part) { part.apply(); }
-    static void revertPart(DocumentCommand &part) { part.revert(); }
-    static bool absorbPart(DocumentCommand &part, const DocumentCommand &newer) { return part.absorb(newer); }
-    static void compactPart(DocumentCommand &part) { part.compact(); }
-    static qint64 bytesOfPart(const DocumentCommand &part) { return part.payloadBytes(); }
-    static void clearPart(DocumentCommand &part) { part.clearPayload(); }
-    static QString labelOfPart(const DocumentCommand &part) { return part.label(); }
-    static QCborMap payloadOfPart(const DocumentCommand &part)
-    {
-        QCborMap map;
-        part.writePayload(map);
-        return map;
-    }
-
-    // The document's setters; documented there.
-    void setUvs(int uvSet, const IndexRanges &corners, const UvMatrix &values);
-    void setUvScale(int uvSet, double scale);
-    void setSeamStates(const IndexRanges &cornerPairs, std::span<const PairState> values);
-    void setSeamWeights(const IndexRanges &cornerPairs, std::span<const double> values);
-    void setSeamStraight(const IndexRanges &cornerPairs, std::span<const std::uint8_t> values);
-    void setPin(int corner, const std::optional<UvPin> &pin);
-    void setRectangle(int id, const std::optional<LayoutRectangle> &rectangle);
-    void setFaceFlags(const IndexRanges &faces, std::span<const IslandFlags> values);
-    void setTexelWeights(const IndexRanges &faces, std::span<const double> values);
-    void setTag(const QString &name, const QList<int> &faces);
-    void setHiddenFaces(const QList<int> &faces);
-    void setTextureSets(const std::vector<TextureSet> &sets);
-    void setUniqueMeshes(bool unique);
-    void setSolveSettings(const SolveSettings &settings);
-    void setPackingSettings(const PackingSettings &settings);
-    void insertUvSet(int index, UvSet set, double scale);
-    void removeUvSet(int index);
-    void renameUvSet(int index, const QString &name);
-    void setActiveUvSet(int index);
-    using OtherModel = Document::OtherModel;
-    void exchangeModel(OtherModel &other);
-
 private:
+    friend class CommandGroup;
     friend bool pushCommand(std::unique_ptr<DocumentCommand> command);
     friend bool cancelGesture(Document &document, quint64 gesture);
 
@@ -117,9 +83,10 @@ bool pushCommand(std::unique_ptr<DocumentCommand> command);
 //! Undoes and removes the newest entry when it belongs to the gesture; for Escape during a drag.
 bool cancelGesture(Document &document, quint64 gesture);
 
-//! A translated text with a number for the history. \param one, many English source texts with %n
-QString countedText(const char *one, const char *many, int count);
-//! A translated text for the history.
-QString plainText(const char *text);
+//! Translates the texts of the history.
+struct UndoText
+{
+    Q_DECLARE_TR_FUNCTIONS(UndoText)
+};
 
 } // namespace autocuts

@@ -1,6 +1,5 @@
 #include "commands/editmapseams.h"
 
-#include "commands/commandreading.h"
 #include "model/plain/uvseams.h"
 
 #include <algorithm>
@@ -23,7 +22,8 @@ IndexRanges cutPairs(const Document &document, std::span<const int> edges)
     return result;
 }
 
-//! How many edges the entry of the history names: to rip a seam only forces it.
+//! The number of edges in the text of the history. Edges that were open before are not counted, unless all
+//! were: then the edit only forces these seams.
 int editedCount(const Document &document, EditMapSeams::Edit edit, std::span<const int> edges)
 {
     const auto count = static_cast<int>(edges.size());
@@ -67,74 +67,45 @@ std::unique_ptr<EditMapSeams> EditMapSeams::make(Document &document, Edit edit, 
 
 EditMapSeams::EditMapSeams(Document &document, Edit edit, int count, std::unique_ptr<SetUvs> uvs,
                            std::unique_ptr<SetSeamState> states)
-    : DocumentCommand(document), mEdit(edit), mCount(count), mUvs(std::move(uvs)), mStates(std::move(states))
-{}
-
-void EditMapSeams::apply()
+    : CommandGroup(document), mEdit(edit), mCount(count)
 {
-    applyPart(*mUvs);
-    applyPart(*mStates);
-}
-
-void EditMapSeams::revert()
-{
-    revertPart(*mStates);
-    revertPart(*mUvs);
+    add(std::move(uvs));
+    add(std::move(states));
 }
 
 bool EditMapSeams::absorb(const DocumentCommand &newer)
 {
     const auto &other = static_cast<const EditMapSeams &>(newer);
-    return other.mEdit == mEdit && absorbPart(*mUvs, *other.mUvs) && absorbPart(*mStates, *other.mStates);
+    return other.mEdit == mEdit && absorbParts(other);
 }
 
 QString EditMapSeams::label() const
 {
     if (mEdit == Edit::Tear)
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Tear %n edge"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Tear %n edges"), mCount);
+        return UndoText::tr("Tear %n edges", nullptr, mCount);
     if (mEdit == Edit::Rip)
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Rip %n edge"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Rip %n edges"), mCount);
-    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Stitch %n edge"),
-                       QT_TRANSLATE_NOOP("Undo Commands", "Stitch %n edges"), mCount);
-}
-
-void EditMapSeams::clearPayload()
-{
-    clearPart(*mUvs);
-    clearPart(*mStates);
-}
-
-void EditMapSeams::compact()
-{
-    compactPart(*mUvs);
-    compactPart(*mStates);
+        return UndoText::tr("Rip %n edges", nullptr, mCount);
+    return UndoText::tr("Stitch %n edges", nullptr, mCount);
 }
 
 void EditMapSeams::writePayload(QCborMap &map) const
 {
     map["edit"_L1] = static_cast<int>(mEdit);
     map["count"_L1] = mCount;
-    map["uvs"_L1] = payloadOfPart(*mUvs);
-    map["states"_L1] = payloadOfPart(*mStates);
+    map["uvs"_L1] = payloadOf(0);
+    map["states"_L1] = payloadOf(1);
 }
 
-Result<std::unique_ptr<DocumentCommand>> EditMapSeams::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<EditMapSeams> EditMapSeams::fromCbor(Document &document, CborReader &reader)
 {
     const Edit edit = reader.enumerator("edit"_L1, Edit::Tear);
     const int count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));
     CborReader uvReader(reader.map("uvs"_L1)), stateReader(reader.map("states"_L1));
-    if (reader.failed())
-        return damagedCommand();
     auto uvs = SetUvs::fromCbor(document, uvReader);
     auto states = SetSeamState::fromCbor(document, stateReader);
-    if (!uvs.ok() || !states.ok())
-        return damagedCommand();
-    const auto part = [](auto &result) { return result.value().release(); };
-    return std::unique_ptr<DocumentCommand>(std::make_unique<EditMapSeams>(
-        document, edit, count, std::unique_ptr<SetUvs>(static_cast<SetUvs *>(part(uvs))),
-        std::unique_ptr<SetSeamState>(static_cast<SetSeamState *>(part(states)))));
+    if (reader.failed() || !uvs || !states)
+        return nullptr;
+    return std::make_unique<EditMapSeams>(document, edit, count, std::move(uvs), std::move(states));
 }
 
 } // namespace autocuts

@@ -1,6 +1,7 @@
 // The command that rips or tears a map along edges and stitches its seams, without a solve.
 #pragma once
 
+#include "commands/commandgroup.h"
 #include "commands/setseamstate.h"
 #include "commands/setuvs.h"
 
@@ -9,7 +10,7 @@ namespace autocuts {
 //! Puts a map that was ripped, torn or stitched into the document together with the seam states that make
 //! later solves keep it. Ripped and torn edges are cut; stitched edges that were cut become free. Pins move
 //! with their corners. Changes UVs, pins and seam states as one entry. Those of one drag merge.
-class EditMapSeams final : public DocumentCommand
+class EditMapSeams final : public CommandGroup
 {
 public:
     //! Stored in journals: add new values at the end.
@@ -24,24 +25,16 @@ public:
                  std::unique_ptr<SetSeamState> states);
 
     CommandId commandId() const override { return CommandId::EditMapSeams; }
-    bool hasAnyChanges() const override { return mUvs->hasAnyChanges() || mStates->hasAnyChanges(); }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<EditMapSeams> fromCbor(Document &document, CborReader &reader);
 
 protected:
-    void apply() override;
-    void revert() override;
     bool absorb(const DocumentCommand &newer) override;
     void writePayload(QCborMap &map) const override;
     QString label() const override;
-    qint64 payloadBytes() const override { return bytesOfPart(*mUvs) + bytesOfPart(*mStates); }
-    void clearPayload() override;
-    void compact() override;
 
 private:
     Edit mEdit;
     int mCount; //!< of edges
-    std::unique_ptr<SetUvs> mUvs;
-    std::unique_ptr<SetSeamState> mStates;
 };
 
 } // namespace autocuts

@@ -1,7 +1,5 @@
 #include "commands/editpins.h"
 
-#include "commands/commandreading.h"
-
 #include <QCborArray>
 
 #include <algorithm>
@@ -35,13 +33,13 @@ std::unique_ptr<EditPins> EditPins::unpin(Document &document, std::span<const in
 void EditPins::apply()
 {
     for (const auto &change : mChanges.changes())
-        setPin(change.key, change.after);
+        editor().setPin(change.key, change.after);
 }
 
 void EditPins::revert()
 {
     for (const auto &change : mChanges.changes())
-        setPin(change.key, change.before);
+        editor().setPin(change.key, change.before);
 }
 
 bool EditPins::absorb(const DocumentCommand &newer)
@@ -58,19 +56,15 @@ QString EditPins::label() const
     const int count = mChanges.count();
     switch (mEdit) {
     case Edit::Pin:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Pin %n corner"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Pin %n corners"), count);
+        return UndoText::tr("Pin %n corners", nullptr, count);
     case Edit::Unpin:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Unpin %n corner"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Unpin %n corners"), count);
+        return UndoText::tr("Unpin %n corners", nullptr, count);
     case Edit::Move:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Move %n pin"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Move %n pins"), count);
+        return UndoText::tr("Move %n pins", nullptr, count);
     case Edit::Change:
         break;
     }
-    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Change %n pin"),
-                       QT_TRANSLATE_NOOP("Undo Commands", "Change %n pins"), count);
+    return UndoText::tr("Change %n pins", nullptr, count);
 }
 
 void EditPins::writePayload(QCborMap &map) const
@@ -86,16 +80,16 @@ void EditPins::writePayload(QCborMap &map) const
     map["corners"_L1] = packedIntegers(corners);
 }
 
-Result<std::unique_ptr<DocumentCommand>> EditPins::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<EditPins> EditPins::fromCbor(Document &document, CborReader &reader)
 {
     const Edit edit = reader.enumerator("edit"_L1, Edit::Change);
-    std::unique_ptr<DocumentCommand> command;
+    std::unique_ptr<EditPins> command;
     if (edit == Edit::Unpin)
         command = unpin(document, reader.indexSet("corners"_L1, document.mesh().cornerCount()));
     else
         command = std::make_unique<EditPins>(document, edit, readPins(reader, "pins"_L1, document.mesh()));
     if (reader.failed())
-        return damagedCommand();
+        return nullptr;
     return command;
 }
 

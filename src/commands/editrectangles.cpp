@@ -1,7 +1,5 @@
 #include "commands/editrectangles.h"
 
-#include "commands/commandreading.h"
-
 #include <QCborArray>
 
 namespace autocuts {
@@ -54,13 +52,13 @@ std::unique_ptr<EditRectangles> EditRectangles::remove(Document &document, std::
 void EditRectangles::apply()
 {
     for (const auto &change : mChanges.changes())
-        setRectangle(change.key, change.after);
+        editor().setRectangle(change.key, change.after);
 }
 
 void EditRectangles::revert()
 {
     for (const auto &change : mChanges.changes())
-        setRectangle(change.key, change.before);
+        editor().setRectangle(change.key, change.before);
 }
 
 bool EditRectangles::absorb(const DocumentCommand &newer)
@@ -80,30 +78,23 @@ QString EditRectangles::label() const
     const int count = mChanges.count();
     switch (mEdit) {
     case Edit::Add:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Add rectangle"));
+        return UndoText::tr("Add rectangle");
     case Edit::Remove:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Remove rectangle"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Remove %n rectangles"), count);
+        return UndoText::tr("Remove %n rectangles", nullptr, count);
     case Edit::Move:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Move rectangle"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Move %n rectangles"), count);
+        return UndoText::tr("Move %n rectangles", nullptr, count);
     case Edit::Resize:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Resize rectangle"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Resize %n rectangles"), count);
+        return UndoText::tr("Resize %n rectangles", nullptr, count);
     case Edit::Assign:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Assign faces to rectangle"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Assign faces to %n rectangles"), count);
+        return UndoText::tr("Assign faces to %n rectangles", nullptr, count);
     case Edit::Rename:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Rename rectangle"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Rename %n rectangles"), count);
+        return UndoText::tr("Rename %n rectangles", nullptr, count);
     case Edit::Recolor:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Recolor rectangle"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Recolor %n rectangles"), count);
+        return UndoText::tr("Recolor %n rectangles", nullptr, count);
     case Edit::Change:
         break;
     }
-    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Change rectangle"),
-                       QT_TRANSLATE_NOOP("Undo Commands", "Change %n rectangles"), count);
+    return UndoText::tr("Change %n rectangles", nullptr, count);
 }
 
 qint64 EditRectangles::payloadBytes() const
@@ -134,14 +125,14 @@ void EditRectangles::writePayload(QCborMap &map) const
     map["rectangles"_L1] = rectangles;
 }
 
-Result<std::unique_ptr<DocumentCommand>> EditRectangles::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<EditRectangles> EditRectangles::fromCbor(Document &document, CborReader &reader)
 {
     const Edit edit = reader.enumerator("edit"_L1, Edit::Change);
     if (edit == Edit::Remove) {
         const QList<int> ids = reader.indexSet("ids"_L1, maxRectangleId + 1);
         if (reader.failed())
-            return damagedCommand();
-        return std::unique_ptr<DocumentCommand>(remove(document, ids));
+            return nullptr;
+        return remove(document, ids);
     }
     std::vector<LayoutRectangle> rectangles;
     for (const QCborMap &map : reader.maps("rectangles"_L1)) {
@@ -151,10 +142,10 @@ Result<std::unique_ptr<DocumentCommand>> EditRectangles::fromCbor(Document &docu
             reader.fail();
     }
     if (reader.failed() || (edit == Edit::Add && rectangles.size() != 1))
-        return damagedCommand();
+        return nullptr;
     if (edit == Edit::Add)
-        return std::unique_ptr<DocumentCommand>(add(document, std::move(rectangles.front())));
-    return std::unique_ptr<DocumentCommand>(std::make_unique<EditRectangles>(document, edit, rectangles));
+        return add(document, std::move(rectangles.front()));
+    return std::make_unique<EditRectangles>(document, edit, rectangles);
 }
 
 } // namespace autocuts

@@ -3,8 +3,6 @@
 
 #include "commands/documentcommand.h"
 #include "commands/keyedchanges.h"
-#include "model/document/cborvalues.h"
-#include "model/document/result.h"
 
 namespace autocuts {
 
@@ -25,7 +23,7 @@ public:
 
     CommandId commandId() const override { return CommandId::EditRectangles; }
     bool hasAnyChanges() const override { return !mChanges.isEmpty(); }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<EditRectangles> fromCbor(Document &document, CborReader &reader);
 
 protected:
     void apply() override;

@@ -1,6 +1,5 @@
 #include "commands/edittextures.h"
 
-#include "commands/commandreading.h"
 #include "model/io/pictures/texturefiles.h"
 
 #include <algorithm>
@@ -27,8 +26,8 @@ std::size_t mostSets(const Document &document)
 } // namespace
 
 EditTextures::EditTextures(Document &document, std::vector<TextureSet> sets, Origin origin)
-    : DocumentCommand(document), mBefore(document.state().textureSets),
-      mAfter(withoutEmptyEnd(std::move(sets))), mOrigin(origin), mIsFirst(!hasTextures(document.state()))
+    : ChangeValue(document, document.state().textureSets, withoutEmptyEnd(std::move(sets))), mOrigin(origin),
+      mIsFirst(!hasTextures(document.state()))
 {
     if (!validateTextureSets(mAfter, mostSets(document)).isEmpty())
         mAfter = mBefore;
@@ -52,15 +51,13 @@ std::unique_ptr<EditTextures> EditTextures::ofMaterial(Document &document, int m
 QString EditTextures::label() const
 {
     if (mOrigin == Origin::Carried)
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Carry textures over"));
+        return UndoText::tr("Carry textures over");
     if (mOrigin == Origin::Baked)
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Bake"));
+        return UndoText::tr("Bake");
     const int more = pictureCount(mAfter) - pictureCount(mBefore);
     if (mAfter.empty())
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all chosen textures"));
-    return more > 0 ? countedText(QT_TRANSLATE_NOOP("Undo Commands", "Add %n texture"),
-                                  QT_TRANSLATE_NOOP("Undo Commands", "Add %n textures"), more)
-                    : plainText(QT_TRANSLATE_NOOP("Undo Commands", "Change textures"));
+        return UndoText::tr("Remove all chosen textures");
+    return more > 0 ? UndoText::tr("Add %n textures", nullptr, more) : UndoText::tr("Change textures");
 }
 
 qint64 EditTextures::payloadBytes() const
@@ -75,12 +72,6 @@ qint64 EditTextures::payloadBytes() const
     return bytes;
 }
 
-void EditTextures::clearPayload()
-{
-    mBefore.clear();
-    mAfter.clear();
-}
-
 void EditTextures::writePayload(QCborMap &map) const
 {
     map["sets"_L1] = autocuts::toCbor(mAfter);
@@ -88,15 +79,15 @@ void EditTextures::writePayload(QCborMap &map) const
         map[mOrigin == Origin::Carried ? "carried"_L1 : "baked"_L1] = true;
 }
 
-Result<std::unique_ptr<DocumentCommand>> EditTextures::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<EditTextures> EditTextures::fromCbor(Document &document, CborReader &reader)
 {
     const auto sets = readTextureSets(reader.array("sets"_L1), mostSets(document));
     if (reader.failed() || !sets)
-        return damagedCommand();
+        return nullptr;
     const Origin origin = reader.contains("carried"_L1) ? Origin::Carried
                           : reader.contains("baked"_L1) ? Origin::Baked
                                                         : Origin::Chosen;
-    return std::unique_ptr<DocumentCommand>(std::make_unique<EditTextures>(document, *sets, origin));
+    return std::make_unique<EditTextures>(document, *sets, origin);
 }
 
 } // namespace autocuts

@@ -1,14 +1,12 @@
 // The command that chooses the pictures of materials.
 #pragma once
 
-#include "commands/documentcommand.h"
-#include "model/document/cborvalues.h"
-#include "model/document/result.h"
+#include "commands/changevalue.h"
 
 namespace autocuts {
 
 //! Replaces the user's texture sets.
-class EditTextures final : public DocumentCommand
+class EditTextures final : public ChangeValue<std::vector<TextureSet>>
 {
 public:
     //! Where the new pictures come from. Those that are carried over or baked were made for the active map.
@@ -26,19 +24,15 @@ public:
     bool fitsMap() const { return mOrigin != Origin::Chosen || mIsFirst; }
 
     CommandId commandId() const override { return CommandId::EditTextures; }
-    bool hasAnyChanges() const override { return mBefore != mAfter; }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<EditTextures> fromCbor(Document &document, CborReader &reader);
 
 protected:
-    void apply() override { setTextureSets(mAfter); }
-    void revert() override { setTextureSets(mBefore); }
+    void set(const std::vector<TextureSet> &sets) override { editor().setTextureSets(sets); }
     void writePayload(QCborMap &map) const override;
     QString label() const override;
     qint64 payloadBytes() const override;
-    void clearPayload() override;
 
 private:
-    std::vector<TextureSet> mBefore, mAfter;
     Origin mOrigin;
     bool mIsFirst = false; //!< there were no pictures before
 };

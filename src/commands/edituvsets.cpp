@@ -1,6 +1,5 @@
 #include "commands/edituvsets.h"
 
-#include "commands/commandreading.h"
 #include "commands/uvrows.h"
 #include "model/plain/uvlayout.h"
 
@@ -21,8 +20,8 @@ int lastUvSet(const Document &document)
 } // namespace
 
 ChooseUvSet::ChooseUvSet(Document &document, int index)
-    : DocumentCommand(document), mBefore(document.activeUvSet()),
-      mAfter(index >= 0 && index <= lastUvSet(document) ? index : mBefore)
+    : ChangeValue(document, document.activeUvSet(),
+                  index >= 0 && index <= lastUvSet(document) ? index : document.activeUvSet())
 {}
 
 bool ChooseUvSet::absorb(const DocumentCommand &newer)
@@ -33,7 +32,7 @@ bool ChooseUvSet::absorb(const DocumentCommand &newer)
 
 QString ChooseUvSet::label() const
 {
-    return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Choose UV set"));
+    return UndoText::tr("Choose UV set");
 }
 
 void ChooseUvSet::writePayload(QCborMap &map) const
@@ -41,12 +40,12 @@ void ChooseUvSet::writePayload(QCborMap &map) const
     map["index"_L1] = mAfter;
 }
 
-Result<std::unique_ptr<DocumentCommand>> ChooseUvSet::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<ChooseUvSet> ChooseUvSet::fromCbor(Document &document, CborReader &reader)
 {
     const int index = static_cast<int>(reader.integer("index"_L1, 0, lastUvSet(document)));
     if (reader.failed())
-        return damagedCommand();
-    return std::unique_ptr<DocumentCommand>(std::make_unique<ChooseUvSet>(document, index));
+        return nullptr;
+    return std::make_unique<ChooseUvSet>(document, index);
 }
 
 AddUvSet::AddUvSet(Document &document, const QString &name, int source)
@@ -60,19 +59,19 @@ void AddUvSet::apply()
     const bool copies = mSource >= 0;
     UvSet set{mName, copies ? document().uvSets()[mSource].uv : emptyLayout(document().mesh())};
     const double scale = copies ? document().state().uvScales[mSource] : defaultUvScale;
-    insertUvSet(lastUvSet(document()) + 1, std::move(set), scale);
-    setActiveUvSet(lastUvSet(document()));
+    editor().insertUvSet(lastUvSet(document()) + 1, std::move(set), scale);
+    editor().setActiveUvSet(lastUvSet(document()));
 }
 
 void AddUvSet::revert()
 {
-    setActiveUvSet(mActiveBefore);
-    removeUvSet(lastUvSet(document()));
+    editor().setActiveUvSet(mActiveBefore);
+    editor().removeUvSet(lastUvSet(document()));
 }
 
 QString AddUvSet::label() const
 {
-    return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Add UV set"));
+    return UndoText::tr("Add UV set");
 }
 
 void AddUvSet::writePayload(QCborMap &map) const
@@ -81,17 +80,17 @@ void AddUvSet::writePayload(QCborMap &map) const
     map["source"_L1] = mSource;
 }
 
-Result<std::unique_ptr<DocumentCommand>> AddUvSet::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<AddUvSet> AddUvSet::fromCbor(Document &document, CborReader &reader)
 {
     const QString name = reader.text("name"_L1);
     const int source = static_cast<int>(reader.integer("source"_L1, -1, lastUvSet(document)));
     if (reader.failed())
-        return damagedCommand();
-    return std::unique_ptr<DocumentCommand>(std::make_unique<AddUvSet>(document, name, source));
+        return nullptr;
+    return std::make_unique<AddUvSet>(document, name, source);
 }
 
 RenameUvSet::RenameUvSet(Document &document, int index, const QString &name)
-    : DocumentCommand(document), mIndex(index), mBefore(document.uvSets()[index].name), mAfter(name)
+    : ChangeValue(document, document.uvSets()[index].name, name), mIndex(index)
 {
     if (name.isEmpty() || uniqueUvSetName(document.uvSets(), name) != name)
         mAfter = mBefore;
@@ -99,7 +98,7 @@ RenameUvSet::RenameUvSet(Document &document, int index, const QString &name)
 
 QString RenameUvSet::label() const
 {
-    return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Rename UV set"));
+    return UndoText::tr("Rename UV set");
 }
 
 void RenameUvSet::writePayload(QCborMap &map) const
@@ -108,13 +107,13 @@ void RenameUvSet::writePayload(QCborMap &map) const
     map["name"_L1] = mAfter;
 }
 
-Result<std::unique_ptr<DocumentCommand>> RenameUvSet::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<RenameUvSet> RenameUvSet::fromCbor(Document &document, CborReader &reader)
 {
     const int index = static_cast<int>(reader.integer("index"_L1, 0, lastUvSet(document)));
     const QString name = reader.text("name"_L1);
     if (reader.failed())
-        return damagedCommand();
-    return std::unique_ptr<DocumentCommand>(std::make_unique<RenameUvSet>(document, index, name));
+        return nullptr;
+    return std::make_unique<RenameUvSet>(document, index, name);
 }
 
 DeleteUvSet::DeleteUvSet(Document &document, int index)
@@ -125,7 +124,7 @@ DeleteUvSet::DeleteUvSet(Document &document, int index)
 
 void DeleteUvSet::apply()
 {
-    removeUvSet(mIndex);
+    editor().removeUvSet(mIndex);
 }
 
 void DeleteUvSet::revert()
@@ -134,13 +133,13 @@ void DeleteUvSet::revert()
     const UvMatrix rows = toggledRows(mContent, set.uv);
     Eigen::Index row = 0;
     mContent.indices().forEach([&](int corner) { set.uv.row(corner) = rows.row(row++); });
-    insertUvSet(mIndex, std::move(set), mScale);
-    setActiveUvSet(mActiveBefore);
+    editor().insertUvSet(mIndex, std::move(set), mScale);
+    editor().setActiveUvSet(mActiveBefore);
 }
 
 QString DeleteUvSet::label() const
 {
-    return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Delete UV set"));
+    return UndoText::tr("Delete UV set");
 }
 
 qint64 DeleteUvSet::payloadBytes() const
@@ -163,12 +162,12 @@ void DeleteUvSet::writePayload(QCborMap &map) const
     map["index"_L1] = mIndex;
 }
 
-Result<std::unique_ptr<DocumentCommand>> DeleteUvSet::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<DeleteUvSet> DeleteUvSet::fromCbor(Document &document, CborReader &reader)
 {
     const int index = static_cast<int>(reader.integer("index"_L1, 0, lastUvSet(document)));
     if (reader.failed() || document.uvSets().size() < 2)
-        return damagedCommand();
-    return std::unique_ptr<DocumentCommand>(std::make_unique<DeleteUvSet>(document, index));
+        return nullptr;
+    return std::make_unique<DeleteUvSet>(document, index);
 }
 
 } // namespace autocuts

@@ -1,33 +1,25 @@
 // Commands that choose, add, rename and delete UV sets.
 #pragma once
 
-#include "commands/documentcommand.h"
+#include "commands/changevalue.h"
 #include "commands/xordelta.h"
-#include "model/document/result.h"
 
 namespace autocuts {
 
 //! Makes another UV set the active one.
-class ChooseUvSet final : public DocumentCommand
+class ChooseUvSet final : public ChangeValue<int>
 {
 public:
     ChooseUvSet(Document &document, int index);
 
     CommandId commandId() const override { return CommandId::ChooseUvSet; }
-    bool hasAnyChanges() const override { return mBefore != mAfter; }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<ChooseUvSet> fromCbor(Document &document, CborReader &reader);
 
 protected:
-    void apply() override { setActiveUvSet(mAfter); }
-    void revert() override { setActiveUvSet(mBefore); }
+    void set(const int &index) override { editor().setActiveUvSet(index); }
     bool absorb(const DocumentCommand &newer) override;
     void writePayload(QCborMap &map) const override;
     QString label() const override;
-    qint64 payloadBytes() const override { return 0; }
-    void clearPayload() override {}
-
-private:
-    int mBefore, mAfter;
 };
 
 //! Adds a UV set after the others and makes it the active one.
@@ -40,7 +32,7 @@ public:
 
     CommandId commandId() const override { return CommandId::AddUvSet; }
     bool hasAnyChanges() const override { return true; }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<AddUvSet> fromCbor(Document &document, CborReader &reader);
 
 protected:
     void apply() override;
@@ -57,27 +49,22 @@ private:
 };
 
 //! Renames a UV set.
-class RenameUvSet final : public DocumentCommand
+class RenameUvSet final : public ChangeValue<QString>
 {
 public:
     //! Changes nothing when the name is empty or in use.
     RenameUvSet(Document &document, int index, const QString &name);
 
     CommandId commandId() const override { return CommandId::RenameUvSet; }
-    bool hasAnyChanges() const override { return mBefore != mAfter; }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<RenameUvSet> fromCbor(Document &document, CborReader &reader);
 
 protected:
-    void apply() override { renameUvSet(mIndex, mAfter); }
-    void revert() override { renameUvSet(mIndex, mBefore); }
+    void set(const QString &name) override { editor().renameUvSet(mIndex, name); }
     void writePayload(QCborMap &map) const override;
     QString label() const override;
-    qint64 payloadBytes() const override { return (mBefore.size() + mAfter.size()) * qint64(sizeof(QChar)); }
-    void clearPayload() override {}
 
 private:
     int mIndex;
-    QString mBefore, mAfter;
 };
 
 //! Deletes a UV set. The last remaining one cannot be deleted.
@@ -88,7 +75,7 @@ public:
 
     CommandId commandId() const override { return CommandId::DeleteUvSet; }
     bool hasAnyChanges() const override { return document().uvSets().size() > 1; }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<DeleteUvSet> fromCbor(Document &document, CborReader &reader);
 
 protected:
     void apply() override;

@@ -1,7 +1,5 @@
 #include "commands/hidefaces.h"
 
-#include "commands/commandreading.h"
-
 #include <algorithm>
 #include <iterator>
 #include <numeric>
@@ -11,7 +9,7 @@ namespace autocuts {
 using namespace Qt::Literals::StringLiterals;
 
 HideFaces::HideFaces(Document &document, QList<int> hidden)
-    : DocumentCommand(document), mBefore(document.state().hiddenFaces), mAfter(std::move(hidden))
+    : ChangeValue(document, document.state().hiddenFaces, std::move(hidden))
 {
     if (!isIndexSet(mAfter, document.mesh().faceCount()))
         mAfter = mBefore;
@@ -43,24 +41,11 @@ QString HideFaces::label() const
 {
     const auto more = static_cast<int>(mAfter.size() - mBefore.size());
     if (mAfter.isEmpty())
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Show all faces"));
+        return UndoText::tr("Show all faces");
     if (more == 0)
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Hide other faces"));
-    return more > 0 ? countedText(QT_TRANSLATE_NOOP("Undo Commands", "Hide %n face"),
-                                  QT_TRANSLATE_NOOP("Undo Commands", "Hide %n faces"), more)
-                    : countedText(QT_TRANSLATE_NOOP("Undo Commands", "Show %n face"),
-                                  QT_TRANSLATE_NOOP("Undo Commands", "Show %n faces"), -more);
-}
-
-qint64 HideFaces::payloadBytes() const
-{
-    return (mBefore.size() + mAfter.size()) * qint64(sizeof(int));
-}
-
-void HideFaces::clearPayload()
-{
-    mBefore = {};
-    mAfter = {};
+        return UndoText::tr("Hide other faces");
+    return more > 0 ? UndoText::tr("Hide %n faces", nullptr, more)
+                    : UndoText::tr("Show %n faces", nullptr, -more);
 }
 
 void HideFaces::writePayload(QCborMap &map) const
@@ -68,12 +53,12 @@ void HideFaces::writePayload(QCborMap &map) const
     map["faces"_L1] = packedIntegers(mAfter);
 }
 
-Result<std::unique_ptr<DocumentCommand>> HideFaces::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<HideFaces> HideFaces::fromCbor(Document &document, CborReader &reader)
 {
     const QList<int> faces = reader.indexSet("faces"_L1, document.mesh().faceCount());
     if (reader.failed())
-        return damagedCommand();
-    return std::unique_ptr<DocumentCommand>(std::make_unique<HideFaces>(document, faces));
+        return nullptr;
+    return std::make_unique<HideFaces>(document, faces);
 }
 
 } // namespace autocuts

@@ -89,7 +89,7 @@ void JournalRecorder::startAnew()
 void JournalRecorder::forgetUndone(int index)
 {
     mMustStartAnew = mMustStartAnew || index < mFirst;
-    // Also when it was merged into the one before.
+    // Also when the command was merged into the one before.
     if (index > 0 && index >= mFirst &&
         static_cast<const DocumentCommand &>(*mDocument.undoStack().command(index - 1)).beginsJournal())
         startAnew();

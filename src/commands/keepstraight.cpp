@@ -1,6 +1,5 @@
 #include "commands/keepstraight.h"
 
-#include "commands/commandreading.h"
 #include "commands/seamdelta.h"
 #include "commands/setseamstate.h"
 
@@ -28,7 +27,7 @@ bool hasWholeEdges(const MeshData &mesh, const IndexRanges &cornerPairs)
 } // namespace
 
 KeepStraight::KeepStraight(Document &document, bool on, const IndexRanges &cornerPairs)
-    : DocumentCommand(document), mOn(on)
+    : ChangeElements(document), mOn(on)
 {
     const IndexRanges pairs = withoutDiagonals(document.mesh(), cornerPairs);
     const std::vector<std::uint8_t> values(pairs.count(), on ? 1 : 0);
@@ -37,26 +36,20 @@ KeepStraight::KeepStraight(Document &document, bool on, const IndexRanges &corne
 
 void KeepStraight::apply()
 {
-    setSeamStraight(mDelta.indices(), mDelta.applied(document().seams().straight.data()));
+    editor().setSeamStraight(mDelta.indices(), mDelta.applied(document().seams().straight.data()));
 }
 
 bool KeepStraight::absorb(const DocumentCommand &newer)
 {
-    const auto &other = static_cast<const KeepStraight &>(newer);
-    if (other.mOn != mOn)
-        return false;
-    mDelta.combine(other.mDelta);
-    return true;
+    return static_cast<const KeepStraight &>(newer).mOn == mOn && ChangeElements::absorb(newer);
 }
 
 QString KeepStraight::label() const
 {
     const int edges = edgeCountOf(mDelta.indices());
     if (mOn)
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Keep %n edge straight"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Keep %n edges straight"), edges);
-    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Release %n straight edge"),
-                       QT_TRANSLATE_NOOP("Undo Commands", "Release %n straight edges"), edges);
+        return UndoText::tr("Keep %n edges straight", nullptr, edges);
+    return UndoText::tr("Release %n straight edges", nullptr, edges);
 }
 
 void KeepStraight::writePayload(QCborMap &map) const
@@ -65,7 +58,7 @@ void KeepStraight::writePayload(QCborMap &map) const
     writeSeamDelta(map, mDelta, document().mesh());
 }
 
-Result<std::unique_ptr<DocumentCommand>> KeepStraight::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<KeepStraight> KeepStraight::fromCbor(Document &document, CborReader &reader)
 {
     const bool on = reader.boolean("on"_L1);
     XorDelta delta = readSeamDelta(reader, sizeof(std::uint8_t), document);
@@ -74,10 +67,10 @@ Result<std::unique_ptr<DocumentCommand>> KeepStraight::fromCbor(Document &docume
         hasWholeEdges(document.mesh(), delta.indices()) &&
         std::all_of(values.begin(), values.end(), [&](std::uint8_t v) { return v == (on ? 1 : 0); });
     if (reader.failed() || !valid)
-        return damagedCommand();
+        return nullptr;
     auto command = std::make_unique<KeepStraight>(document, on, IndexRanges());
     command->mDelta = std::move(delta);
-    return std::unique_ptr<DocumentCommand>(std::move(command));
+    return command;
 }
 
 } // namespace autocuts

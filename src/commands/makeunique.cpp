@@ -2,13 +2,17 @@
 
 namespace autocuts {
 
-MakeUnique::MakeUnique(Document &document)
-    : DocumentCommand(document), mBefore(document.state().scene.uniqueMeshes)
+MakeUnique::MakeUnique(Document &document) : ChangeValue(document, document.state().scene.uniqueMeshes, true)
 {}
 
 QString MakeUnique::label() const
 {
-    return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Make meshes unique"));
+    return UndoText::tr("Make meshes unique");
+}
+
+std::unique_ptr<MakeUnique> MakeUnique::fromCbor(Document &document, CborReader &)
+{
+    return std::make_unique<MakeUnique>(document);
 }
 
 } // namespace autocuts

@@ -29,12 +29,12 @@ qint64 bytesOf(const DocumentState &state)
 
 ReplaceModel::ReplaceModel(Document &document, DocumentState state)
     : DocumentCommand(document), mFileName(QFileInfo(state.scene.path).fileName()),
-      mOther(std::make_unique<OtherModel>(OtherModel{std::move(state), nullptr}))
+      mOther(std::make_unique<DocumentEditor::OtherModel>(std::move(state), nullptr))
 {}
 
 QString ReplaceModel::label() const
 {
-    return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Re-link to %1")).arg(mFileName);
+    return UndoText::tr("Re-link to %1").arg(mFileName);
 }
 
 qint64 ReplaceModel::payloadBytes() const

@@ -20,8 +20,8 @@ public:
     bool beginsJournal() const override { return true; }
 
 protected:
-    void apply() override { exchangeModel(*mOther); }
-    void revert() override { exchangeModel(*mOther); }
+    void apply() override { editor().exchangeModel(*mOther); }
+    void revert() override { editor().exchangeModel(*mOther); }
     //! The model between the two is forgotten.
     bool absorb(const DocumentCommand &newer) override { return newer.commandId() == commandId(); }
     void writePayload(QCborMap &) const override {}
@@ -31,7 +31,7 @@ protected:
 
 private:
     QString mFileName;
-    std::unique_ptr<OtherModel> mOther; //!< the one that the document does not have now
+    std::unique_ptr<DocumentEditor::OtherModel> mOther; //!< the one that the document does not have now
 };
 
 } // namespace autocuts

@@ -1,7 +1,6 @@
 #include "commands/replay.h"
 
 #include "commands/commandfactory.h"
-#include "commands/commandreading.h"
 #include "commands/edittextures.h"
 #include "model/io/files/deflate.h"
 
@@ -58,7 +57,7 @@ replay(const Journal &journal,
        const std::function<void(const Document &, const DocumentCommand &next)> &before)
 {
     auto document = std::make_unique<Document>(journal.initial);
-    // Nothing is going to be undone.
+    // A replayed history is never undone, so it needs no memory.
     document->undoStack().setMemoryLimit(0);
     for (std::size_t i = 0; i < journal.commands.size(); ++i) {
         const std::optional<QCborMap> map = commandOf(journal.commands[i]);

@@ -1,7 +1,6 @@
 #include "commands/reset.h"
 
 #include "commands/changesettings.h"
-#include "commands/commandreading.h"
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/keepstraight.h"
@@ -37,7 +36,7 @@ std::unique_ptr<DocumentCommand> removeRectangles(Document &document)
 
 } // namespace
 
-Reset::Reset(Document &document, int parts) : DocumentCommand(document), mParts(parts & Everything)
+Reset::Reset(Document &document, int parts) : CommandGroup(document), mParts(parts & Everything)
 {
     const IndexRanges pairs = IndexRanges::all(document.mesh().cornerPairCount());
     if ((parts & SeamStates) != 0)
@@ -66,66 +65,34 @@ Reset::Reset(Document &document, int parts) : DocumentCommand(document), mParts(
                                      UvEditExtras{0, defaultUvScale, {}}));
 }
 
-void Reset::add(std::unique_ptr<DocumentCommand> command)
-{
-    if (command->hasAnyChanges())
-        mCommands.push_back(std::move(command));
-}
-
-void Reset::apply()
-{
-    for (const auto &command : mCommands)
-        applyPart(*command);
-}
-
-void Reset::revert()
-{
-    for (auto it = mCommands.rbegin(); it != mCommands.rend(); ++it)
-        revertPart(**it);
-}
-
 QString Reset::label() const
 {
     switch (mParts) {
     case SeamStates:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset seams"));
+        return UndoText::tr("Reset seams");
     case SeamWeights:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset painted weights"));
+        return UndoText::tr("Reset painted weights");
     case StraightEdges:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Release all straight edges"));
+        return UndoText::tr("Release all straight edges");
     case Pins:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all pins"));
+        return UndoText::tr("Remove all pins");
     case Rectangles:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all rectangles"));
+        return UndoText::tr("Remove all rectangles");
     case TexelWeights:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset texel density weights"));
+        return UndoText::tr("Reset texel density weights");
     case Marks:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset island marks"));
+        return UndoText::tr("Reset island marks");
     case Settings:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset settings"));
+        return UndoText::tr("Reset settings");
     case Uvs:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Clear UVs"));
+        return UndoText::tr("Clear UVs");
     case Steering:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset steering"));
+        return UndoText::tr("Reset steering");
     case Everything:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset everything"));
+        return UndoText::tr("Reset everything");
     default:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset"));
+        return UndoText::tr("Reset");
     }
-}
-
-qint64 Reset::payloadBytes() const
-{
-    qint64 bytes = 0;
-    for (const auto &command : mCommands)
-        bytes += bytesOfPart(*command) + qint64(sizeof(SetUvs));
-    return bytes;
-}
-
-void Reset::compact()
-{
-    for (const auto &command : mCommands)
-        compactPart(*command);
 }
 
 void Reset::writePayload(QCborMap &map) const
@@ -133,12 +100,12 @@ void Reset::writePayload(QCborMap &map) const
     map["parts"_L1] = mParts;
 }
 
-Result<std::unique_ptr<DocumentCommand>> Reset::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<Reset> Reset::fromCbor(Document &document, CborReader &reader)
 {
     const int parts = static_cast<int>(reader.integer("parts"_L1, 0, Everything));
     if (reader.failed())
-        return damagedCommand();
-    return std::unique_ptr<DocumentCommand>(std::make_unique<Reset>(document, parts));
+        return nullptr;
+    return std::make_unique<Reset>(document, parts);
 }
 
 } // namespace autocuts

@@ -1,16 +1,12 @@
 // The command that resets steering, settings or UVs to their state after loading.
 #pragma once
 
-#include "commands/documentcommand.h"
-#include "model/document/cborvalues.h"
-#include "model/document/result.h"
-
-#include <vector>
+#include "commands/commandgroup.h"
 
 namespace autocuts {
 
 //! Resets the chosen parts of the document as one entry.
-class Reset final : public DocumentCommand
+class Reset final : public CommandGroup
 {
 public:
     //! Bits for what is reset.
@@ -32,24 +28,14 @@ public:
     Reset(Document &document, int parts);
 
     CommandId commandId() const override { return CommandId::Reset; }
-    bool hasAnyChanges() const override { return !mCommands.empty(); }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<Reset> fromCbor(Document &document, CborReader &reader);
 
 protected:
-    void apply() override;
-    void revert() override;
     void writePayload(QCborMap &map) const override;
     QString label() const override;
-    qint64 payloadBytes() const override;
-    void clearPayload() override { mCommands.clear(); }
-    void compact() override;
 
 private:
-    void add(std::unique_ptr<DocumentCommand> command);
-
-    int mParts;
-    //! Independent of each other; each changes something.
-    std::vector<std::unique_ptr<DocumentCommand>> mCommands;
+    int mParts; //!< mask of Part
 };
 
 } // namespace autocuts

@@ -1,7 +1,5 @@
 #include "commands/setislandflags.h"
 
-#include "commands/commandreading.h"
-
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -80,7 +78,7 @@ IslandFlags edited(IslandFlags flags, SetIslandFlags::Edit edit, std::int32_t nu
 } // namespace
 
 SetIslandFlags::SetIslandFlags(Document &document, Edit edit, const std::vector<int> &islands)
-    : DocumentCommand(document), mEdit(edit)
+    : ChangeElements(document), mEdit(edit)
 {
     const std::vector<IslandFlags> &flags = document.marks().faceFlags;
     std::int32_t number = 0;
@@ -141,41 +139,32 @@ std::unique_ptr<SetIslandFlags> SetIslandFlags::clearAll(Document &document)
 
 void SetIslandFlags::apply()
 {
-    setFaceFlags(mDelta.indices(), mDelta.applied(document().marks().faceFlags.data()));
+    editor().setFaceFlags(mDelta.indices(), mDelta.applied(document().marks().faceFlags.data()));
 }
 
 QString SetIslandFlags::label() const
 {
     switch (mEdit) {
     case Edit::Lock:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Lock %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Lock %n islands"), mCount);
+        return UndoText::tr("Lock %n islands", nullptr, mCount);
     case Edit::Unlock:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Unlock %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Unlock %n islands"), mCount);
+        return UndoText::tr("Unlock %n islands", nullptr, mCount);
     case Edit::Stack:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Stack %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Stack %n islands"), mCount);
+        return UndoText::tr("Stack %n islands", nullptr, mCount);
     case Edit::Unstack:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Unstack %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Unstack %n islands"), mCount);
+        return UndoText::tr("Unstack %n islands", nullptr, mCount);
     case Edit::Group:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Group %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Group %n islands"), mCount);
+        return UndoText::tr("Group %n islands", nullptr, mCount);
     case Edit::Ungroup:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Ungroup %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Ungroup %n islands"), mCount);
+        return UndoText::tr("Ungroup %n islands", nullptr, mCount);
     case Edit::KeepOrientation:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Keep orientation of %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Keep orientation of %n islands"), mCount);
+        return UndoText::tr("Keep orientation of %n islands", nullptr, mCount);
     case Edit::FreeOrientation:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Free orientation of %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Free orientation of %n islands"), mCount);
+        return UndoText::tr("Free orientation of %n islands", nullptr, mCount);
     case Edit::Clear:
         break;
     }
-    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Clear flags of %n island"),
-                       QT_TRANSLATE_NOOP("Undo Commands", "Clear flags of %n islands"), mCount);
+    return UndoText::tr("Clear flags of %n islands", nullptr, mCount);
 }
 
 void SetIslandFlags::writePayload(QCborMap &map) const
@@ -185,7 +174,7 @@ void SetIslandFlags::writePayload(QCborMap &map) const
     mDelta.write(map);
 }
 
-Result<std::unique_ptr<DocumentCommand>> SetIslandFlags::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<SetIslandFlags> SetIslandFlags::fromCbor(Document &document, CborReader &reader)
 {
     const Edit edit = reader.enumerator("edit"_L1, Edit::FreeOrientation);
     const int count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));
@@ -193,11 +182,11 @@ Result<std::unique_ptr<DocumentCommand>> SetIslandFlags::fromCbor(Document &docu
     const std::vector<IslandFlags> flags = delta.applied(document.marks().faceFlags.data());
     if (reader.failed() ||
         !std::all_of(flags.begin(), flags.end(), [](const IslandFlags &f) { return isValid(f); }))
-        return damagedCommand();
+        return nullptr;
     auto command = std::make_unique<SetIslandFlags>(document, edit, std::vector<int>());
     command->mCount = count;
     command->mDelta = std::move(delta);
-    return std::unique_ptr<DocumentCommand>(std::move(command));
+    return command;
 }
 
 } // namespace autocuts

@@ -1,14 +1,12 @@
 // Commands that lock, stack and group islands, and keep their orientation.
 #pragma once
 
-#include "commands/documentcommand.h"
-#include "commands/xordelta.h"
-#include "model/document/result.h"
+#include "commands/changeelements.h"
 
 namespace autocuts {
 
 //! Sets one of the flags of islands, on all of their faces.
-class SetIslandFlags final : public DocumentCommand
+class SetIslandFlags final : public ChangeElements
 {
 public:
     //! Stored in journals by number.
@@ -20,8 +18,7 @@ public:
     SetIslandFlags(Document &document, Edit edit, const std::vector<int> &islands);
 
     CommandId commandId() const override { return CommandId::SetIslandFlags; }
-    bool hasAnyChanges() const override { return !mDelta.isEmpty(); }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<SetIslandFlags> fromCbor(Document &document, CborReader &reader);
     //! Makes one new stack of each list of islands.
     static std::unique_ptr<SetIslandFlags> stackEach(Document &document,
                                                      const std::vector<std::vector<int>> &stacks);
@@ -30,19 +27,15 @@ public:
 
 protected:
     void apply() override;
-    void revert() override { apply(); }
+    bool absorb(const DocumentCommand &) override { return false; }
     void writePayload(QCborMap &map) const override;
     QString label() const override;
-    qint64 payloadBytes() const override { return mDelta.byteCount(); }
-    void clearPayload() override { mDelta = XorDelta(sizeof(IslandFlags)); }
-    void compact() override { mDelta.pack(document().undoStack().pool()); }
 
 private:
     void setFlags(std::vector<IslandFlags> after);
 
     Edit mEdit;
-    int mCount = 0;  //!< islands whose flags change
-    XorDelta mDelta; //!< over IslandMarks::faceFlags
+    int mCount = 0; //!< islands whose flags change
 };
 
 } // namespace autocuts

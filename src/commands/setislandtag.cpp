@@ -1,7 +1,5 @@
 #include "commands/setislandtag.h"
 
-#include "commands/commandreading.h"
-
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -11,7 +9,7 @@ namespace autocuts {
 using namespace Qt::Literals::StringLiterals;
 
 SetIslandTag::SetIslandTag(Document &document, const QString &name, const std::vector<int> &islands, bool on)
-    : DocumentCommand(document), mName(name), mOn(on), mCount(static_cast<int>(islands.size()))
+    : ChangeValue(document, {}, {}), mName(name), mOn(on), mCount(static_cast<int>(islands.size()))
 {
     if (const IslandTag *tag = document.marks().tag(name))
         mBefore = tag->faces;
@@ -45,21 +43,8 @@ std::unique_ptr<SetIslandTag> SetIslandTag::remove(Document &document, const QSt
 QString SetIslandTag::label() const
 {
     if (mOn)
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Tag %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Tag %n islands"), mCount);
-    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Untag %n island"),
-                       QT_TRANSLATE_NOOP("Undo Commands", "Untag %n islands"), mCount);
-}
-
-qint64 SetIslandTag::payloadBytes() const
-{
-    return (mBefore.size() + mAfter.size()) * qint64(sizeof(int)) + mName.size() * qint64(sizeof(QChar));
-}
-
-void SetIslandTag::clearPayload()
-{
-    mBefore = {};
-    mAfter = {};
+        return UndoText::tr("Tag %n islands", nullptr, mCount);
+    return UndoText::tr("Untag %n islands", nullptr, mCount);
 }
 
 void SetIslandTag::writePayload(QCborMap &map) const
@@ -70,18 +55,18 @@ void SetIslandTag::writePayload(QCborMap &map) const
     map["faces"_L1] = packedIntegers(mAfter);
 }
 
-Result<std::unique_ptr<DocumentCommand>> SetIslandTag::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<SetIslandTag> SetIslandTag::fromCbor(Document &document, CborReader &reader)
 {
     const QString name = reader.text("name"_L1);
     const bool on = reader.boolean("on"_L1);
     const int count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));
     const QList<int> faces = reader.indexSet("faces"_L1, document.mesh().faceCount());
     if (reader.failed() || name.isEmpty())
-        return damagedCommand();
+        return nullptr;
     auto command = std::make_unique<SetIslandTag>(document, name, std::vector<int>(), on);
     command->mCount = count;
     command->mAfter = faces;
-    return std::unique_ptr<DocumentCommand>(std::move(command));
+    return command;
 }
 
 } // namespace autocuts

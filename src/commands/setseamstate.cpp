@@ -1,6 +1,5 @@
 #include "commands/setseamstate.h"
 
-#include "commands/commandreading.h"
 #include "commands/seamdelta.h"
 
 #include <algorithm>
@@ -27,7 +26,7 @@ PairState stateOf(SetSeamState::Edit edit)
 } // namespace
 
 SetSeamState::SetSeamState(Document &document, Edit edit, const IndexRanges &cornerPairs)
-    : DocumentCommand(document), mEdit(edit)
+    : ChangeElements(document), mEdit(edit)
 {
     const IndexRanges pairs = withoutDiagonals(document.mesh(), cornerPairs);
     const std::vector<PairState> values(pairs.count(), stateOf(edit));
@@ -36,16 +35,12 @@ SetSeamState::SetSeamState(Document &document, Edit edit, const IndexRanges &cor
 
 void SetSeamState::apply()
 {
-    setSeamStates(mDelta.indices(), mDelta.applied(document().seams().states.data()));
+    editor().setSeamStates(mDelta.indices(), mDelta.applied(document().seams().states.data()));
 }
 
 bool SetSeamState::absorb(const DocumentCommand &newer)
 {
-    const auto &other = static_cast<const SetSeamState &>(newer);
-    if (other.mEdit != mEdit)
-        return false;
-    mDelta.combine(other.mDelta);
-    return true;
+    return static_cast<const SetSeamState &>(newer).mEdit == mEdit && ChangeElements::absorb(newer);
 }
 
 QString SetSeamState::label() const
@@ -53,16 +48,13 @@ QString SetSeamState::label() const
     const int edges = edgeCountOf(mDelta.indices());
     switch (mEdit) {
     case Edit::Cut:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Cut %n edge"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Cut %n edges"), edges);
+        return UndoText::tr("Cut %n edges", nullptr, edges);
     case Edit::Join:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Join %n edge"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Join %n edges"), edges);
+        return UndoText::tr("Join %n edges", nullptr, edges);
     case Edit::Clear:
         break;
     }
-    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Clear %n edge"),
-                       QT_TRANSLATE_NOOP("Undo Commands", "Clear %n edges"), edges);
+    return UndoText::tr("Clear %n edges", nullptr, edges);
 }
 
 void SetSeamState::writePayload(QCborMap &map) const
@@ -71,7 +63,7 @@ void SetSeamState::writePayload(QCborMap &map) const
     writeSeamDelta(map, mDelta, document().mesh());
 }
 
-Result<std::unique_ptr<DocumentCommand>> SetSeamState::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<SetSeamState> SetSeamState::fromCbor(Document &document, CborReader &reader)
 {
     const Edit edit = reader.enumerator("edit"_L1, Edit::Join);
     XorDelta delta = readSeamDelta(reader, sizeof(PairState), document);
@@ -80,10 +72,10 @@ Result<std::unique_ptr<DocumentCommand>> SetSeamState::fromCbor(Document &docume
         withoutDiagonals(document.mesh(), delta.indices()) == delta.indices() &&
         std::all_of(states.begin(), states.end(), [](PairState s) { return s <= PairState::Joined; });
     if (reader.failed() || !valid)
-        return damagedCommand();
+        return nullptr;
     auto command = std::make_unique<SetSeamState>(document, edit, IndexRanges());
     command->mDelta = std::move(delta);
-    return std::unique_ptr<DocumentCommand>(std::move(command));
+    return command;
 }
 
 IndexRanges cornerPairsOfEdges(const MeshData &mesh, std::span<const int> edges)

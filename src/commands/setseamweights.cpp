@@ -1,6 +1,5 @@
 #include "commands/setseamweights.h"
 
-#include "commands/commandreading.h"
 #include "commands/seamdelta.h"
 #include "commands/setseamstate.h"
 
@@ -11,7 +10,7 @@ namespace autocuts {
 
 SetSeamWeights::SetSeamWeights(Document &document, const IndexRanges &cornerPairs,
                                std::span<const double> weights)
-    : DocumentCommand(document)
+    : ChangeElements(document)
 {
     IndexRanges painted;
     std::vector<double> values;
@@ -29,19 +28,12 @@ SetSeamWeights::SetSeamWeights(Document &document, const IndexRanges &cornerPair
 
 void SetSeamWeights::apply()
 {
-    setSeamWeights(mDelta.indices(), mDelta.applied(document().seams().weights.data()));
-}
-
-bool SetSeamWeights::absorb(const DocumentCommand &newer)
-{
-    mDelta.combine(static_cast<const SetSeamWeights &>(newer).mDelta);
-    return true;
+    editor().setSeamWeights(mDelta.indices(), mDelta.applied(document().seams().weights.data()));
 }
 
 QString SetSeamWeights::label() const
 {
-    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Paint %n edge"),
-                       QT_TRANSLATE_NOOP("Undo Commands", "Paint %n edges"), edgeCountOf(mDelta.indices()));
+    return UndoText::tr("Paint %n edges", nullptr, edgeCountOf(mDelta.indices()));
 }
 
 void SetSeamWeights::writePayload(QCborMap &map) const
@@ -49,7 +41,7 @@ void SetSeamWeights::writePayload(QCborMap &map) const
     writeSeamDelta(map, mDelta, document().mesh());
 }
 
-Result<std::unique_ptr<DocumentCommand>> SetSeamWeights::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<SetSeamWeights> SetSeamWeights::fromCbor(Document &document, CborReader &reader)
 {
     XorDelta delta = readSeamDelta(reader, sizeof(double), document);
     const std::vector<double> weights = delta.applied(document.seams().weights.data());
@@ -57,10 +49,10 @@ Result<std::unique_ptr<DocumentCommand>> SetSeamWeights::fromCbor(Document &docu
     const bool valid = withoutDiagonals(document.mesh(), delta.indices()) == delta.indices() &&
                        std::all_of(weights.begin(), weights.end(), inRange);
     if (reader.failed() || !valid)
-        return damagedCommand();
+        return nullptr;
     auto command = std::make_unique<SetSeamWeights>(document, IndexRanges(), std::span<const double>());
     command->mDelta = std::move(delta);
-    return std::unique_ptr<DocumentCommand>(std::move(command));
+    return command;
 }
 
 } // namespace autocuts

@@ -1,6 +1,5 @@
 #include "commands/settexelweights.h"
 
-#include "commands/commandreading.h"
 #include "model/plain/texelweights.h"
 
 #include <algorithm>
@@ -10,7 +9,7 @@ namespace autocuts {
 
 SetTexelWeights::SetTexelWeights(Document &document, const IndexRanges &faces,
                                  std::span<const double> weights)
-    : DocumentCommand(document)
+    : ChangeElements(document)
 {
     IndexRanges painted;
     std::vector<double> values;
@@ -34,32 +33,25 @@ std::unique_ptr<SetTexelWeights> SetTexelWeights::uniform(Document &document, co
 
 void SetTexelWeights::apply()
 {
-    setTexelWeights(mDelta.indices(), mDelta.applied(document().texelWeights().data()));
-}
-
-bool SetTexelWeights::absorb(const DocumentCommand &newer)
-{
-    mDelta.combine(static_cast<const SetTexelWeights &>(newer).mDelta);
-    return true;
+    editor().setTexelWeights(mDelta.indices(), mDelta.applied(document().texelWeights().data()));
 }
 
 QString SetTexelWeights::label() const
 {
-    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Texel density weight of %n face"),
-                       QT_TRANSLATE_NOOP("Undo Commands", "Texel density weight of %n faces"),
-                       static_cast<int>(mDelta.indices().count()));
+    return UndoText::tr("Texel density weight of %n faces", nullptr,
+                        static_cast<int>(mDelta.indices().count()));
 }
 
-Result<std::unique_ptr<DocumentCommand>> SetTexelWeights::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<SetTexelWeights> SetTexelWeights::fromCbor(Document &document, CborReader &reader)
 {
     XorDelta delta = XorDelta::read(reader, sizeof(double), document.mesh().faceCount());
     const std::vector<double> weights = delta.applied(document.texelWeights().data());
     const auto inRange = [](double w) { return w >= minTexelWeight && w <= maxTexelWeight; };
     if (reader.failed() || !std::all_of(weights.begin(), weights.end(), inRange))
-        return damagedCommand();
+        return nullptr;
     auto command = std::make_unique<SetTexelWeights>(document, IndexRanges(), std::span<const double>());
     command->mDelta = std::move(delta);
-    return std::unique_ptr<DocumentCommand>(std::move(command));
+    return command;
 }
 
 } // namespace autocuts

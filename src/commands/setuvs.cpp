@@ -1,6 +1,5 @@
 #include "commands/setuvs.h"
 
-#include "commands/commandreading.h"
 #include "commands/uvrows.h"
 
 #include <QCborArray>
@@ -33,31 +32,31 @@ bool SetUvs::hasAnyChanges() const
 
 void SetUvs::toggleUvs()
 {
-    setUvs(mUvSet, mDelta.indices(), toggledRows(mDelta, document().uvSets()[mUvSet].uv));
+    editor().setUvs(mUvSet, mDelta.indices(), toggledRows(mDelta, document().uvSets()[mUvSet].uv));
 }
 
 void SetUvs::toggleFlags()
 {
     if (!mFlags.isEmpty())
-        setFaceFlags(mFlags.indices(), mFlags.applied(document().marks().faceFlags.data()));
+        editor().setFaceFlags(mFlags.indices(), mFlags.applied(document().marks().faceFlags.data()));
 }
 
 void SetUvs::apply()
 {
     toggleUvs();
     toggleFlags();
-    setUvScale(mUvSet, mScaleAfter);
+    editor().setUvScale(mUvSet, mScaleAfter);
     for (const auto &change : mPins.changes())
-        setPin(change.key, change.after);
+        editor().setPin(change.key, change.after);
 }
 
 void SetUvs::revert()
 {
     toggleUvs();
     toggleFlags();
-    setUvScale(mUvSet, mScaleBefore);
+    editor().setUvScale(mUvSet, mScaleBefore);
     for (const auto &change : mPins.changes())
-        setPin(change.key, change.before);
+        editor().setPin(change.key, change.before);
 }
 
 bool SetUvs::absorb(const DocumentCommand &newer)
@@ -77,71 +76,57 @@ QString SetUvs::label() const
 {
     switch (mEdit) {
     case UvEdit::Move:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Move %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Move %n islands"), mCount);
+        return UndoText::tr("Move %n islands", nullptr, mCount);
     case UvEdit::Rotate:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Rotate %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Rotate %n islands"), mCount);
+        return UndoText::tr("Rotate %n islands", nullptr, mCount);
     case UvEdit::Scale:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Scale %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Scale %n islands"), mCount);
+        return UndoText::tr("Scale %n islands", nullptr, mCount);
     case UvEdit::Drag:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Drag %n vertex"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Drag %n vertices"), mCount);
+        return UndoText::tr("Drag %n vertices", nullptr, mCount);
     case UvEdit::Pack:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Pack %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Pack %n islands"), mCount);
+        return UndoText::tr("Pack %n islands", nullptr, mCount);
     case UvEdit::Align:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Align %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Align %n islands"), mCount);
+        return UndoText::tr("Align %n islands", nullptr, mCount);
     case UvEdit::Distribute:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Distribute %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Distribute %n islands"), mCount);
+        return UndoText::tr("Distribute %n islands", nullptr, mCount);
     case UvEdit::Mirror:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Mirror %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Mirror %n islands"), mCount);
+        return UndoText::tr("Mirror %n islands", nullptr, mCount);
     case UvEdit::Orient:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Orient %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Orient %n islands"), mCount);
+        return UndoText::tr("Orient %n islands", nullptr, mCount);
     case UvEdit::Scatter:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Randomise %n island"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Randomise %n islands"), mCount);
+        return UndoText::tr("Randomise %n islands", nullptr, mCount);
     case UvEdit::Straighten:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Straighten %n chain of edges"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Straighten %n chains of edges"), mCount);
+        return UndoText::tr("Straighten %n chains of edges", nullptr, mCount);
     case UvEdit::Relax:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Relax %n face"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Relax %n faces"), mCount);
+        return UndoText::tr("Relax %n faces", nullptr, mCount);
     case UvEdit::AlignToAxes:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Align %n island to the axes"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Align %n islands to the axes"), mCount);
+        return UndoText::tr("Align %n islands to the axes", nullptr, mCount);
     case UvEdit::Grid:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Straighten %n face to a grid"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Straighten %n faces to a grid"), mCount);
+        return UndoText::tr("Straighten %n faces to a grid", nullptr, mCount);
     case UvEdit::Solve:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Solve"));
+        return UndoText::tr("Solve");
     case UvEdit::Unwrap:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Unwrap"));
+        return UndoText::tr("Unwrap");
     case UvEdit::UnwrapSelection:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Unwrap selection"));
+        return UndoText::tr("Unwrap selection");
     case UvEdit::FinishSelection:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Finish selection"));
+        return UndoText::tr("Finish selection");
     case UvEdit::Finish:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Finish map"));
+        return UndoText::tr("Finish map");
     case UvEdit::Separate:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Separate overlaps"));
+        return UndoText::tr("Separate overlaps");
     case UvEdit::Transfer:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Transfer UVs"));
+        return UndoText::tr("Transfer UVs");
     case UvEdit::BrushRelax:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Relax with a brush"));
+        return UndoText::tr("Relax with a brush");
     case UvEdit::BrushPinch:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Pinch"));
+        return UndoText::tr("Pinch");
     case UvEdit::BrushGrab:
-        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Grab"));
+        return UndoText::tr("Grab");
     case UvEdit::Clear:
         break;
     }
-    return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Clear UVs"));
+    return UndoText::tr("Clear UVs");
 }
 
 qint64 SetUvs::payloadBytes() const
@@ -177,7 +162,7 @@ void SetUvs::writePayload(QCborMap &map) const
     map["flags"_L1] = flags;
 }
 
-Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<SetUvs> SetUvs::fromCbor(Document &document, CborReader &reader)
 {
     const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::FinishSelection);
     const int uvSet = static_cast<int>(reader.integer("uvSet"_L1, 0, std::numeric_limits<int>::max()));
@@ -193,15 +178,15 @@ Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, Cb
         flags = XorDelta::read(own, sizeof(IslandFlags), document.mesh().faceCount());
         if (own.failed() || !std::ranges::all_of(flags.applied(document.marks().faceFlags.data()),
                                                  [](const IslandFlags &f) { return isValid(f); }))
-            return damagedCommand();
+            return nullptr;
     }
     if (reader.failed() || uvSet != document.activeUvSet() ||
         !std::all_of(extras.pins.begin(), extras.pins.end(), pinned))
-        return damagedCommand();
+        return nullptr;
     auto command = std::make_unique<SetUvs>(document, edit, document.uv(), extras);
     command->mDelta = std::move(delta);
     command->mFlags = std::move(flags);
-    return std::unique_ptr<DocumentCommand>(std::move(command));
+    return command;
 }
 
 } // namespace autocuts

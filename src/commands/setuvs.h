@@ -4,7 +4,6 @@
 #include "commands/documentcommand.h"
 #include "commands/editpins.h"
 #include "commands/xordelta.h"
-#include "model/document/result.h"
 
 namespace autocuts {
 
@@ -61,7 +60,7 @@ public:
     bool hasAnyChanges() const override;
     //! The scale of the UV set after the command (DocumentState::uvScales).
     double scale() const { return mScaleAfter; }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<SetUvs> fromCbor(Document &document, CborReader &reader);
 
 protected:
     void apply() override;

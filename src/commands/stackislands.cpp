@@ -1,6 +1,5 @@
 #include "commands/stackislands.h"
 
-#include "commands/commandreading.h"
 #include "model/document/similarislands.h"
 #include "model/plain/chartcopies.h"
 #include "model/plain/uvlayout.h"
@@ -152,52 +151,26 @@ std::unique_ptr<StackIslands> StackIslands::unstack(Document &document, const st
 
 StackIslands::StackIslands(Document &document, std::unique_ptr<SetUvs> uvs,
                            std::unique_ptr<SetIslandFlags> flags)
-    : DocumentCommand(document), mUvs(std::move(uvs)), mFlags(std::move(flags))
-{}
-
-void StackIslands::apply()
+    : CommandGroup(document)
 {
-    applyPart(*mUvs);
-    applyPart(*mFlags);
-}
-
-void StackIslands::revert()
-{
-    revertPart(*mFlags);
-    revertPart(*mUvs);
-}
-
-void StackIslands::clearPayload()
-{
-    clearPart(*mUvs);
-    clearPart(*mFlags);
-}
-
-void StackIslands::compact()
-{
-    compactPart(*mUvs);
-    compactPart(*mFlags);
+    add(std::move(uvs));
+    add(std::move(flags));
 }
 
 void StackIslands::writePayload(QCborMap &map) const
 {
-    map["uvs"_L1] = payloadOfPart(*mUvs);
-    map["flags"_L1] = payloadOfPart(*mFlags);
+    map["uvs"_L1] = payloadOf(0);
+    map["flags"_L1] = payloadOf(1);
 }
 
-Result<std::unique_ptr<DocumentCommand>> StackIslands::fromCbor(Document &document, CborReader &reader)
+std::unique_ptr<StackIslands> StackIslands::fromCbor(Document &document, CborReader &reader)
 {
     CborReader uvReader(reader.map("uvs"_L1)), flagReader(reader.map("flags"_L1));
-    if (reader.failed())
-        return damagedCommand();
     auto uvs = SetUvs::fromCbor(document, uvReader);
     auto flags = SetIslandFlags::fromCbor(document, flagReader);
-    if (!uvs.ok() || !flags.ok())
-        return damagedCommand();
-    const auto part = [](auto &result) { return result.value().release(); };
-    return std::unique_ptr<DocumentCommand>(std::make_unique<StackIslands>(
-        document, std::unique_ptr<SetUvs>(static_cast<SetUvs *>(part(uvs))),
-        std::unique_ptr<SetIslandFlags>(static_cast<SetIslandFlags *>(part(flags)))));
+    if (reader.failed() || !uvs || !flags)
+        return nullptr;
+    return std::make_unique<StackIslands>(document, std::move(uvs), std::move(flags));
 }
 
 } // namespace autocuts

@@ -1,6 +1,7 @@
 // The command that stacks identical islands and takes stacks apart.
 #pragma once
 
+#include "commands/commandgroup.h"
 #include "commands/setislandflags.h"
 #include "commands/setuvs.h"
 
@@ -8,7 +9,7 @@ namespace autocuts {
 
 //! Gives copies of an island the UVs of that island and makes them one stack, so that packing moves them
 //! together; or takes stacks apart. Changes UVs and flags as one entry.
-class StackIslands final : public DocumentCommand
+class StackIslands final : public CommandGroup
 {
 public:
     //! The result of copiesAmong().
@@ -34,21 +35,11 @@ public:
     StackIslands(Document &document, std::unique_ptr<SetUvs> uvs, std::unique_ptr<SetIslandFlags> flags);
 
     CommandId commandId() const override { return CommandId::StackIslands; }
-    bool hasAnyChanges() const override { return mUvs->hasAnyChanges() || mFlags->hasAnyChanges(); }
-    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    static std::unique_ptr<StackIslands> fromCbor(Document &document, CborReader &reader);
 
 protected:
-    void apply() override;
-    void revert() override;
     void writePayload(QCborMap &map) const override;
-    QString label() const override { return labelOfPart(*mFlags); }
-    qint64 payloadBytes() const override { return bytesOfPart(*mUvs) + bytesOfPart(*mFlags); }
-    void clearPayload() override;
-    void compact() override;
-
-private:
-    std::unique_ptr<SetUvs> mUvs;
-    std::unique_ptr<SetIslandFlags> mFlags;
+    QString label() const override { return labelOf(1); }
 };
 
 } // namespace autocuts

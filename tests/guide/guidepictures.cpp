@@ -12,6 +12,7 @@
 #include "views/canvas/uvview.h"
 #include "views/control/livebake.h"
 #include "views/control/modelpictures.h"
+#include "views/ui/language.h"
 #include "views/ui/theme.h"
 
 #include <QApplication>
@@ -459,6 +460,7 @@ int main(int argc, char *argv[])
     QSurfaceFormat::setDefaultFormat(format);
     QApplication application(argc, argv);
     applyTheme(application, Theme::Dark);
+    installLanguage(application, Language::English); // for texts with a number of one
     const qsizetype count = QApplication::arguments().size();
     if (count != 2 && count != 3) {
         std::fputs("usage: guide_pictures FOLDER [STEP]\n", stderr);

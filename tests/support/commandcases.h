@@ -24,7 +24,7 @@ struct Case
 {
     const char *name;
     Make make;
-    const char *text;
+    const char *text;   //!< without translations, so with "1 edges"
     QStringList events; //!< of doing it
     Make noop;          //!< the same kind of command, changing nothing on gridDocument() (null: cannot be)
 };

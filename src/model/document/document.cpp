@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 
 namespace autocuts {
 
@@ -154,116 +153,11 @@ void Document::findHidden()
         mHidden[static_cast<std::size_t>(face)] = true;
 }
 
-void Document::setHiddenFaces(const QList<int> &faces)
-{
-    if (faces == mState.hiddenFaces)
-        return;
-    mState.hiddenFaces = faces;
-    findHidden();
-    announce(HiddenEvent());
-    setSelection(mState.selection);
-}
-
-void Document::setTextureSets(const std::vector<TextureSet> &sets)
-{
-    if (sets == mState.textureSets)
-        return;
-    mState.textureSets = sets;
-    announce(TexturesEvent());
-}
-
-void Document::setUniqueMeshes(bool unique)
-{
-    if (unique == mState.scene.uniqueMeshes)
-        return;
-    mState.scene.uniqueMeshes = unique;
-    announce(SharedMeshesEvent());
-}
-
 QString Document::validate() const
 {
     if (mIslands && mIslands->faceCount() != mesh().faceCount())
         return QStringLiteral("The islands do not fit the mesh");
     return mState.validate();
-}
-
-void Document::setUvs(int uvSet, const IndexRanges &corners, const UvMatrix &values)
-{
-    UvMatrix &uv = mState.scene.uvSets[uvSet].uv;
-    IndexRanges changedCorners;
-    Eigen::Index row = 0;
-    corners.forEach([&](int corner) {
-        const double *value = values.data() + 2 * row++;
-        double *target = uv.data() + 2 * Eigen::Index(corner);
-        if (std::memcmp(target, value, 2 * sizeof(double)) == 0)
-            return;
-        std::memcpy(target, value, 2 * sizeof(double));
-        changedCorners.append(corner);
-    });
-    if (changedCorners.isEmpty())
-        return;
-    if (uvSet == mState.activeUvSet)
-        forgetMap();
-    announce(UvEvent(uvSet, UvEvent::Values, std::move(changedCorners)));
-}
-
-void Document::setUvScale(int uvSet, double scale)
-{
-    if (mState.uvScales[uvSet] == scale)
-        return;
-    mState.uvScales[uvSet] = scale;
-    announce(UvEvent(uvSet, UvEvent::Scale, {}));
-}
-
-void Document::insertUvSet(int index, UvSet set, double scale)
-{
-    mState.scene.uvSets.insert(mState.scene.uvSets.begin() + index, std::move(set));
-    mState.uvScales.insert(mState.uvScales.begin() + index, scale);
-    if (index <= mState.activeUvSet)
-        ++mState.activeUvSet;
-    announce(UvSetEvent(UvSetEvent::Change::Added, index));
-}
-
-void Document::removeUvSet(int index)
-{
-    mState.scene.uvSets.erase(mState.scene.uvSets.begin() + index);
-    mState.uvScales.erase(mState.uvScales.begin() + index);
-    const bool wasActive = index == mState.activeUvSet;
-    if (index < mState.activeUvSet || mState.activeUvSet == static_cast<int>(uvSets().size()))
-        --mState.activeUvSet;
-    if (wasActive)
-        forgetMap();
-    announce(UvSetEvent(UvSetEvent::Change::Removed, index));
-    if (wasActive)
-        announce(UvSetEvent(UvSetEvent::Change::Activated, mState.activeUvSet));
-}
-
-void Document::renameUvSet(int index, const QString &name)
-{
-    if (uvSets()[index].name == name)
-        return;
-    mState.scene.uvSets[index].name = name;
-    announce(UvSetEvent(UvSetEvent::Change::Renamed, index));
-}
-
-void Document::setActiveUvSet(int index)
-{
-    if (index == mState.activeUvSet)
-        return;
-    mState.activeUvSet = index;
-    forgetMap();
-    announce(UvSetEvent(UvSetEvent::Change::Activated, index));
-}
-
-void Document::exchangeModel(OtherModel &other)
-{
-    std::swap(mState, other.state);
-    std::swap(mState.viewState, other.state.viewState);
-    std::swap(mAdjacency, other.adjacency);
-    forgetMap();
-    mWeightedMesh.reset();
-    findHidden();
-    announce(ModelEvent());
 }
 
 } // namespace autocuts

@@ -13,15 +13,13 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 
 namespace autocuts {
 
-class DocumentCommand;
+class DocumentEditor;
 
-//! Holds the state of a session. The state is changed only by commands on the undo stack: the setters are
-//! private and reached through DocumentCommand, the base class of the commands. A setter emits changed()
-//! exactly when something changed. Selection and view state do not count as edits and can be set directly.
+//! Holds the state of a session. Only commands on the undo stack change it, through DocumentEditor. Selection
+//! and view state do not count as edits and can be set directly.
 class Document final : public QObject
 {
     Q_OBJECT
@@ -87,43 +85,8 @@ Q_SIGNALS:
     void selectionChanged();
 
 private:
-    friend class DocumentCommand;
+    friend class DocumentEditor;
 
-    // All indices must be in range and all values valid. Values are given in the order of their indices.
-    void setUvs(int uvSet, const IndexRanges &corners, const UvMatrix &values);
-    void setUvScale(int uvSet, double scale);
-    void setSeamStates(const IndexRanges &cornerPairs, std::span<const PairState> values);
-    void setSeamWeights(const IndexRanges &cornerPairs, std::span<const double> values);
-    void setSeamStraight(const IndexRanges &cornerPairs, std::span<const std::uint8_t> values);
-    void setPin(int corner, const std::optional<UvPin> &pin);
-    void setRectangle(int id, const std::optional<LayoutRectangle> &rectangle);
-    void setFaceFlags(const IndexRanges &faces, std::span<const IslandFlags> values);
-    //! \pre the values are in range
-    void setTexelWeights(const IndexRanges &faces, std::span<const double> values);
-    //! Sets the faces of a tag; an empty list removes the tag.
-    void setTag(const QString &name, const QList<int> &faces);
-    //! Also takes the hidden elements out of the selection.
-    void setHiddenFaces(const QList<int> &faces);
-    //! \pre they are valid, see DocumentState::textureSets
-    void setTextureSets(const std::vector<TextureSet> &sets);
-    void setUniqueMeshes(bool unique);
-    void setSolveSettings(const SolveSettings &settings);
-    void setPackingSettings(const PackingSettings &settings);
-    void insertUvSet(int index, UvSet set, double scale);
-    //! Removes a UV set; the active set stays active. When the active set is removed, the next one becomes
-    //! active, or the last one when there is no next. \pre there are at least two UV sets
-    void removeUvSet(int index);
-    void renameUvSet(int index, const QString &name);
-    void setActiveUvSet(int index);
-    //! Another model with everything that belongs to it.
-    struct OtherModel
-    {
-        DocumentState state; //!< valid
-        //! Of its mesh; may be null. The contents of commands refer to it.
-        std::unique_ptr<const MeshAdjacency> adjacency;
-    };
-    //! Exchanges everything but the view state.
-    void exchangeModel(OtherModel &other);
     //! Renews the token and emits changed().
     void announce(const ChangeEvent &event);
 

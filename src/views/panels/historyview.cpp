@@ -51,6 +51,7 @@ QString iconName(int commandId)
     case CommandId::ReplaceModel:
         return u"relink"_s;
     case CommandId::Reset:
+    case CommandId::End:
         break;
     }
     return u"clear"_s;
