@@ -2178,6 +2178,30 @@
         <source>A program ended while it replaced files of several folders together, and another of these folders is gone or was changed. What was to be written is in files that end with %1, what was there before in files that end with %2: rename or remove them (in %3)</source>
         <translation>Ein Programm endete, während es zusammengehörende Dateien mehrerer Ordner ersetzte, und ein anderer dieser Ordner fehlt oder wurde geändert. Was geschrieben werden sollte, steht in Dateien, die auf %1 enden, was vorher dort stand, in Dateien, die auf %2 enden: benennen Sie sie um oder löschen Sie sie (in %3)</translation>
     </message>
+    <message>
+        <source>the folder for recovery cannot be made</source>
+        <translation>der Ordner für die Wiederherstellung kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>Check the permissions of the folders above it</source>
+        <translation>Prüfen Sie die Rechte der Ordner darüber</translation>
+    </message>
+    <message>
+        <source>another program has this session open</source>
+        <translation>ein anderes Programm hat diese Sitzung geöffnet</translation>
+    </message>
+    <message>
+        <source>the folder for recovery cannot be written</source>
+        <translation>in den Ordner für die Wiederherstellung kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Go on there</source>
+        <translation>Arbeiten Sie dort weiter</translation>
+    </message>
+    <message>
+        <source>Check the permissions and the free space of the folder</source>
+        <translation>Prüfen Sie die Rechte und den freien Platz des Ordners</translation>
+    </message>
 </context>
 <context>
     <name>IslandTool</name>
@@ -2741,6 +2765,14 @@
     <message>
         <source>Check its permissions or choose another one</source>
         <translation>Seine Zugriffsrechte prüfen oder einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>there is no such picture</source>
+        <translation>dieses Bild gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Check its name</source>
+        <translation>Prüfen Sie seinen Namen</translation>
     </message>
 </context>
 <context>

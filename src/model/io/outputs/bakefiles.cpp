@@ -3,6 +3,7 @@
 #include "model/io/outputs/fileclashes.h"
 #include "model/io/pictures/texturefiles.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -57,7 +58,8 @@ Result<ReadPictures> readTiles(const QString &path)
 {
     const std::vector<TextureTile> tiles = textureTiles(path);
     if (tiles.empty())
-        return Error{u"there is no such picture"_s, path, 0, u"Check its name"_s};
+        return Error{QCoreApplication::translate("PictureFiles", "there is no such picture"), path, 0,
+                     QCoreApplication::translate("PictureFiles", "Check its name")};
     ReadPictures result;
     for (const TextureTile &tile : tiles) {
         const Result<QByteArray> bytes = loadPictureFile(tile.path);

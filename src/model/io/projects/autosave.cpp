@@ -2,6 +2,7 @@
 
 #include "model/io/projects/projectfile.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QPointer>
@@ -14,6 +15,11 @@ namespace autocuts {
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
+
+struct RecoveryTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(FileErrors)
+};
 
 //! A lock file that names no process, left by a crash while it was written, is removed after this time.
 //! Chosen by hand.
@@ -95,18 +101,18 @@ Result<std::unique_ptr<Autosave>> Autosave::start(const QString &folder, Save sa
                                                   const RecoverableSession *continued)
 {
     if (!QDir().mkpath(folder))
-        return Error{u"the folder for recovery cannot be made"_s, folder, 0,
-                     u"Check the permissions of the folders above it"_s};
+        return Error{RecoveryTexts::tr("the folder for recovery cannot be made"), folder, 0,
+                     RecoveryTexts::tr("Check the permissions of the folders above it")};
     const QString file =
         continued ? continued->file
                   : QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + u".acproj"_s);
     std::unique_ptr<QLockFile> lock = tryLock(lockPathOf(file));
     if (!lock)
-        return Error{continued ? u"another program has this session open"_s
-                               : u"the folder for recovery cannot be written"_s,
+        return Error{continued ? RecoveryTexts::tr("another program has this session open")
+                               : RecoveryTexts::tr("the folder for recovery cannot be written"),
                      file, 0,
-                     continued ? u"Go on there"_s
-                               : u"Check the permissions and the free space of the folder"_s};
+                     continued ? RecoveryTexts::tr("Go on there")
+                               : RecoveryTexts::tr("Check the permissions and the free space of the folder")};
     return std::unique_ptr<Autosave>(new Autosave(file, std::move(lock), std::move(save)));
 }
 
