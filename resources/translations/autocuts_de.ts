@@ -7120,22 +7120,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Was der Pinsel tut; Tasten 1 bis 3, Umschalt radiert, Strg kehrt um</translation>
     </message>
     <message>
-        <source>Symmetric</source>
-        <translation>Symmetrisch</translation>
-    </message>
-    <message>
-        <source>Paint the mirror image, in the plane x = 0, too; X</source>
-        <translation>Auch das Spiegelbild an der Ebene x = 0 bemalen; X</translation>
-    </message>
-    <message>
-        <source>%1, %2 %%3</source>
-        <translation>%1, %2 %%3</translation>
-    </message>
-    <message>
-        <source>, symmetric about X</source>
-        <translation>, symmetrisch zu X</translation>
-    </message>
-    <message>
         <source>%1: 1-3 choose, Shift erases, Ctrl inverts; wheel with Shift size, Ctrl strength, Alt hardness; X symmetry</source>
         <translation>%1: 1-3 wählen, Umschalt radiert, Strg kehrt um; Mausrad mit Umschalt Größe, Strg Stärke, Alt Härte; X Symmetrie</translation>
     </message>
@@ -9277,20 +9261,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation> %</translation>
     </message>
     <message>
-        <source>Symmetric</source>
-        <translation>Symmetrisch</translation>
-    </message>
-    <message>
-        <source>Paint the mirror image, in the plane x = 0, too; X</source>
-        <translation>Auch das Spiegelbild an der Ebene x = 0 bemalen; X</translation>
-    </message>
-    <message>
-        <source>%1 times the texels, %2 %%3</source>
-        <translation>Das %1-Fache der Texel, %2 %%3</translation>
-    </message>
-    <message>
-        <source>, symmetric about X</source>
-        <translation>, symmetrisch zu X</translation>
+        <source>%1 times the texels</source>
+        <translation>Das %1-Fache der Texel</translation>
     </message>
     <message>
         <source>Texel density %1 times: Shift goes back to 1, Ctrl inverts; wheel with Shift size, Ctrl strength, Alt hardness; X symmetry</source>
@@ -10157,6 +10129,25 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Which map of the bake is shown while the UVs change</source>
         <translation>Welche Map des Backens gezeigt wird, während sich die UVs ändern</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::WeightTool</name>
+    <message>
+        <source>Symmetric</source>
+        <translation>Symmetrisch</translation>
+    </message>
+    <message>
+        <source>Paint the mirror image, in the plane x = 0, too; X</source>
+        <translation>Auch das Spiegelbild an der Ebene x = 0 bemalen; X</translation>
+    </message>
+    <message>
+        <source>%1, %2 %%3</source>
+        <translation>%1, %2 %%3</translation>
+    </message>
+    <message>
+        <source>, symmetric about X</source>
+        <translation>, symmetrisch zu X</translation>
     </message>
 </context>
 <context>

@@ -74,7 +74,7 @@ public:
     }
 
     std::vector<BrushTouch> touches;
-    std::vector<FaceTouch> faces;
+    std::vector<BrushTouch> faces;
 
 private:
     double distanceTo(int side) const
@@ -191,8 +191,8 @@ std::vector<BrushTouch> edgesUnderBrush(const ToolCanvas &canvas, const QPointF 
     return footprint ? std::move(footprint->touches) : std::vector<BrushTouch>();
 }
 
-std::vector<FaceTouch> facesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
-                                       const PickResult &pick, double radius)
+std::vector<BrushTouch> facesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
+                                        const PickResult &pick, double radius)
 {
     std::optional<Footprint> footprint = footprintOf(canvas, middle, pick, radius);
     if (!footprint)

@@ -1,4 +1,4 @@
-// The brush for painting seam weights.
+// The brush of the tools that paint weights and shape the map.
 #pragma once
 
 #include "views/canvas/picking.h"
@@ -34,10 +34,10 @@ struct Brush
 //! Size, strength and hardness for the bar of tool options. \param set receives the changed brush
 std::vector<ToolOption> brushOptions(const Brush &brush, const std::function<void(const Brush &)> &set);
 
-//! An edge pair under the brush.
+//! An element under the brush.
 struct BrushTouch
 {
-    int edgePair = 0;
+    int element = 0;     //!< an edge pair or a face
     double distance = 0; //!< distance of its nearest point from the centre of the brush, in logical pixels
 };
 
@@ -52,15 +52,8 @@ std::vector<BrushTouch> edgesUnderBrush(const ToolCanvas &canvas, const QPointF 
 //! dense that fast strokes have no gaps, and so few that the brush keeps up with the mouse.
 std::vector<QPointF> dabsBetween(const QPointF &from, const QPointF &to, double radius);
 
-//! A face under the brush.
-struct FaceTouch
-{
-    int face = 0;
-    double distance = 0; //!< as BrushTouch::distance; 0 for the face at the centre
-};
-
-//! The faces under a brush; the same as those of edgesUnderBrush().
-std::vector<FaceTouch> facesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
-                                       const PickResult &pick, double radius);
+//! The faces under a brush; the same as those of edgesUnderBrush(). The face at the centre has distance 0.
+std::vector<BrushTouch> facesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
+                                        const PickResult &pick, double radius);
 
 } // namespace autocuts
