@@ -1,5 +1,5 @@
 // The command line's light bake: its lights, surfaces, files and mistakes.
-#include "jobs/litscene.h"
+#include "jobs/lightmaterials.h"
 #include "model/io/meshes/meshfile.h"
 #include "model/io/pictures/picturefiles.h"
 #include "support/cliruns.h"

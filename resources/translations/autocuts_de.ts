@@ -6691,6 +6691,42 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>, islands upright</source>
         <translation>, Inseln aufrecht</translation>
     </message>
+    <message>
+        <source>light is baked into exr, png, tif and tga files</source>
+        <translation>Licht wird in Dateien der Formate exr, png, tif und tga gebacken</translation>
+    </message>
+    <message>
+        <source>Choose a file name that ends in .exr, .png, .tif or .tga</source>
+        <translation>Wählen Sie einen Dateinamen, der auf .exr, .png, .tif oder .tga endet</translation>
+    </message>
+    <message>
+        <source>the folder for the picture does not exist or cannot be written</source>
+        <translation>den Ordner für das Bild gibt es nicht, oder es kann nicht in ihn geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Check its permissions or choose another one</source>
+        <translation>Prüfen Sie seine Rechte oder wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>there is no material &quot;%1&quot; that could be emissive</source>
+        <translation>es gibt kein Material „%1“, das leuchten könnte</translation>
+    </message>
+    <message>
+        <source>The model has no materials</source>
+        <translation>Das Modell hat keine Materialien</translation>
+    </message>
+    <message>
+        <source>It has: %1</source>
+        <translation>Es hat: %1</translation>
+    </message>
+    <message>
+        <source>there is no object &quot;%1&quot;</source>
+        <translation>es gibt kein Objekt „%1“</translation>
+    </message>
+    <message>
+        <source>Check its name in the file</source>
+        <translation>Prüfen Sie seinen Namen in der Datei</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>

@@ -1,7 +1,7 @@
 #include "jobs/bakelight.h"
 
 #include "jobs/jobtexts.h"
-#include "jobs/litscene.h"
+#include "jobs/lightmapfiles.h"
 #include "model/io/outputs/fileclashes.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // What light is to be baked, as the user chose it.
 #pragma once
 
-#include "jobs/litscene.h"
+#include "jobs/lightmaterials.h"
 #include "model/plain/lightplan.h"
 #include "solver/bake/lightbake.h"
 
@@ -18,7 +18,7 @@ struct LightChoice
     int uvSet = 0;       //!< newSet: a copy of the active one, made for lightmaps
     int textureSize = 0; //!< texels along the width; 0: as many as in the Packing panel
     LightPlan lights;
-    LitSceneOptions surface;
+    LightMaterials surface;
     int samples = bake::LightBakeSettings().samples; //!< paths of light per texel
     int bounces = 4;
     bool direct = true, indirect = true;

@@ -1,5 +1,6 @@
 #include "jobs/transferuvs.h"
 
+#include "jobs/jobtexts.h"
 #include "jobs/othermodel.h"
 #include "model/io/outputs/fileclashes.h"
 #include "model/plain/uvlayout.h"
@@ -41,7 +42,8 @@ Result<int> findObject(const std::vector<QString> &names, const QString &name, c
 {
     const auto found = std::ranges::find(names, name);
     if (found == names.end())
-        return Error{u"there is no object \"%1\""_s.arg(name), path, 0, u"Check its name in the file"_s};
+        return Error{JobTexts::tr("there is no object \"%1\"").arg(name), path, 0,
+                     JobTexts::tr("Check its name in the file")};
     return static_cast<int>(found - names.begin());
 }
 

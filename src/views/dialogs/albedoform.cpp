@@ -18,8 +18,8 @@ namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
-AlbedoForm::AlbedoForm(const std::vector<UvSet> &sets, const jobs::LitSceneOptions &last,
-                       Questions &questions, QWidget *parent)
+AlbedoForm::AlbedoForm(const std::vector<UvSet> &sets, const jobs::LightMaterials &last, Questions &questions,
+                       QWidget *parent)
     : QGroupBox(tr("Surface"), parent), mQuestions(questions), mForm(new QFormLayout(this)),
       mKind(new QComboBox), mUvSet(new QComboBox), mColor(new ColorButton(tr("Colour of the surface"))),
       mPicture(new QLineEdit), mPictureRow(new QWidget)
@@ -71,7 +71,7 @@ QString AlbedoForm::picture() const
     return QDir::fromNativeSeparators(mPicture->text().trimmed());
 }
 
-void AlbedoForm::apply(jobs::LitSceneOptions &options) const
+void AlbedoForm::apply(jobs::LightMaterials &options) const
 {
     options.albedo.reset();
     if (kind() == Kind::Color)

@@ -1,7 +1,7 @@
 // What the surface reflects in a light bake: the colours of the model, one colour, or a picture.
 #pragma once
 
-#include "jobs/litscene.h"
+#include "jobs/lightmaterials.h"
 
 #include <QGroupBox>
 
@@ -14,18 +14,18 @@ namespace autocuts {
 class ColorButton;
 class Questions;
 
-//! A list of these, and what belongs to the chosen one.
+//! A list of these kinds, and the fields of the chosen one.
 class AlbedoForm final : public QGroupBox
 {
     Q_OBJECT
 
 public:
     //! \param sets that a picture may be for \param last what was chosen last time
-    AlbedoForm(const std::vector<UvSet> &sets, const jobs::LitSceneOptions &last, Questions &questions,
+    AlbedoForm(const std::vector<UvSet> &sets, const jobs::LightMaterials &last, Questions &questions,
                QWidget *parent = nullptr);
 
     //! Sets what the surface reflects; the other options stay.
-    void apply(jobs::LitSceneOptions &options) const;
+    void apply(jobs::LightMaterials &options) const;
     //! What is wrong, translated; empty when nothing is.
     QString problem() const;
 

@@ -1,5 +1,6 @@
 #include "views/dialogs/lightbakedialog.h"
 
+#include "jobs/lightmapfiles.h"
 #include "model/document/document.h"
 #include "views/dialogs/albedoform.h"
 #include "views/dialogs/lampform.h"
