@@ -248,19 +248,8 @@ void IslandPanel::selectRows(const Document &document)
     std::vector<bool> wanted(mTable->rowCount());
     for (int island : document.islands().islandsOf(document.selection().faces))
         wanted[island] = true;
-    QItemSelection selection;
-    const int rows = mSorted->rowCount();
     const auto isWanted = [&](int row) { return wanted[mSorted->mapToSource(mSorted->index(row, 0)).row()]; };
-    for (int first = 0; first < rows; ++first) {
-        if (!isWanted(first))
-            continue;
-        int last = first;
-        while (last + 1 < rows && isWanted(last + 1))
-            ++last;
-        selection.select(mSorted->index(first, 0), mSorted->index(last, IslandTable::ColumnCount - 1));
-        first = last;
-    }
-    mView->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+    selectRowsOf(*mView, isWanted);
 }
 
 //! Selects the faces of the islands in the selected rows.

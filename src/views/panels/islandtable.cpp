@@ -10,46 +10,13 @@
 
 namespace autocuts {
 
-namespace {
-
-//! NaN sorts before all other values.
-double sortable(double value)
-{
-    return std::isnan(value) ? -1 : value;
-}
-
-} // namespace
-
-void IslandTable::setFigures(std::vector<IslandFigures> figures)
-{
-    if (figures.size() != mFigures.size()) {
-        beginResetModel();
-        mFigures = std::move(figures);
-        endResetModel();
-        return;
-    }
-    mFigures = std::move(figures);
-    if (!mFigures.empty())
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-}
-
 bool IslandTable::hasTexts(int column) const
 {
-    for (std::size_t i = 0; i < mFigures.size(); ++i) {
-        if (!text(mFigures[i], static_cast<int>(i), column).isEmpty())
+    for (int island = 0; island < rowCount(); ++island) {
+        if (!text(figures()[island], island, column).isEmpty())
             return true;
     }
     return false;
-}
-
-int IslandTable::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(mFigures.size());
-}
-
-int IslandTable::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QString IslandTable::text(const IslandFigures &figures, int island, int column) const
@@ -108,24 +75,24 @@ QVariant IslandTable::data(const QModelIndex &index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
-    const IslandFigures &figures = mFigures[index.row()];
+    const IslandFigures &own = figures()[index.row()];
     switch (role) {
     case Qt::DisplayRole:
-        return text(figures, index.row(), index.column());
+        return text(own, index.row(), index.column());
     case Qt::DecorationRole:
         return index.column() == Number ? QVariant(QColor(islandColor(index.row()))) : QVariant();
     case Qt::CheckStateRole:
         if (index.column() == Lock)
-            return figures.flags.locked ? Qt::Checked : Qt::Unchecked;
+            return own.flags.locked ? Qt::Checked : Qt::Unchecked;
         return {};
     case Qt::TextAlignmentRole:
         return index.column() == Number
                    ? QVariant()
                    : QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
     case Qt::ToolTipRole:
-        return index.column() == Number ? QVariant(text(figures, index.row(), Number)) : QVariant();
+        return index.column() == Number ? QVariant(text(own, index.row(), Number)) : QVariant();
     case sortRole:
-        return sortKey(figures, index.row(), index.column());
+        return sortKey(own, index.row(), index.column());
     default:
         return {};
     }

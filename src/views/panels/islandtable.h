@@ -2,29 +2,24 @@
 #pragma once
 
 #include "views/control/islandfigures.h"
-
-#include <QAbstractTableModel>
+#include "views/panels/figuretable.h"
 
 namespace autocuts {
 
-//! One row per island, in the order of Document::islands(). Does not use the document.
-class IslandTable final : public QAbstractTableModel
+//! One row per island, in the order of Document::islands().
+class IslandTable final : public FigureTable<IslandFigures>
 {
     Q_OBJECT
 
 public:
     enum Column { Number, Lock, Faces, Area, Density, Shown, Distortion, Stack, Group, ColumnCount };
-    static constexpr int sortRole = Qt::UserRole;
 
-    explicit IslandTable(QObject *parent = nullptr) : QAbstractTableModel(parent) {}
+    explicit IslandTable(QObject *parent = nullptr) : FigureTable(ColumnCount, parent) {}
 
-    void setFigures(std::vector<IslandFigures> figures);
+    void setFigures(std::vector<IslandFigures> figures) { replaceFigures(std::move(figures)); }
     //! Whether any row has a text in the column.
     bool hasTexts(int column) const;
-    const std::vector<IslandFigures> &figures() const { return mFigures; }
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
@@ -38,8 +33,6 @@ Q_SIGNALS:
 private:
     QString text(const IslandFigures &figures, int island, int column) const;
     QVariant sortKey(const IslandFigures &figures, int island, int column) const;
-
-    std::vector<IslandFigures> mFigures;
 };
 
 } // namespace autocuts

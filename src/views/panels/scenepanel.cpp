@@ -311,18 +311,7 @@ void ScenePanel::selectRows(const Document &document)
             return selected[f] || (!hidden.empty() && hidden[f]);
         });
     };
-    QItemSelection selection;
-    const int rows = mSorted->rowCount();
-    for (int first = 0; first < rows; ++first) {
-        if (!isWanted(first))
-            continue;
-        int last = first;
-        while (last + 1 < rows && isWanted(last + 1))
-            ++last;
-        selection.select(mSorted->index(first, 0), mSorted->index(last, SceneTable::ColumnCount - 1));
-        first = last;
-    }
-    mView->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+    selectRowsOf(*mView, isWanted);
 }
 
 QList<int> ScenePanel::facesOf(const std::vector<int> &rows) const

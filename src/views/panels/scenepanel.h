@@ -63,8 +63,8 @@ private:
     QLabel *mSummary;
     bool mRowsStale = true; //!< the rows are those of another document or of the other kind
     bool mFiguresStale = true, mHiddenStale = false;
-    bool mFitsNames = true; //!< until the user has changed the width of their column
-    bool mFitting = false;  //!< it is being changed by the panel
+    bool mFitsNames = true; //!< the column of names fits them, until the user changes its width
+    bool mFitting = false;  //!< the panel itself is changing that width
     bool mSyncing = false;  //!< rows are being selected after a change of the selection
 };
 

@@ -5,16 +5,11 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace autocuts {
 
 namespace {
-
-//! NaN sorts before all other values.
-double sortable(double value)
-{
-    return std::isnan(value) ? -1 : value;
-}
 
 //! A field of a CSV file (RFC 4180).
 QString csvField(QString text)
@@ -33,21 +28,13 @@ QString csvNumber(double value)
 
 void SceneTable::setFigures(SceneKind kind, std::vector<SceneFigures> figures)
 {
-    if (kind != mKind || figures.size() != mFigures.size()) {
-        beginResetModel();
-        mKind = kind;
-        mFigures = std::move(figures);
-        endResetModel();
-        return;
-    }
-    mFigures = std::move(figures);
-    if (!mFigures.empty())
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    const bool others = std::exchange(mKind, kind) != kind;
+    replaceFigures(std::move(figures), others);
 }
 
 QString SceneTable::nameOf(int row) const
 {
-    const SceneGroup &group = mFigures[static_cast<std::size_t>(row)].group;
+    const SceneGroup &group = figures()[static_cast<std::size_t>(row)].group;
     if (!group.name.isEmpty())
         return group.name;
     if (mKind == SceneKind::Objects)
@@ -59,12 +46,12 @@ QByteArray SceneTable::csv(const std::vector<int> &rows) const
 {
     std::vector<int> chosen = rows;
     if (chosen.empty()) {
-        chosen.resize(mFigures.size());
+        chosen.resize(figures().size());
         std::iota(chosen.begin(), chosen.end(), 0);
     }
     QString text = QStringLiteral("name,faces,islands,distortion,texels_per_unit,efficiency\n");
     for (int row : chosen) {
-        const SceneFigures &own = mFigures[static_cast<std::size_t>(row)];
+        const SceneFigures &own = figures()[static_cast<std::size_t>(row)];
         text += csvField(nameOf(row)) + u',' + QString::number(own.group.faces.size()) + u',' +
                 QString::number(own.islands) + u',' + csvNumber(own.distortion) + u',' +
                 csvNumber(own.texelDensity) + u',' + csvNumber(own.share) + u'\n';
@@ -72,19 +59,9 @@ QByteArray SceneTable::csv(const std::vector<int> &rows) const
     return text.toUtf8();
 }
 
-int SceneTable::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(mFigures.size());
-}
-
-int SceneTable::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
 QString SceneTable::text(int row, int column) const
 {
-    const SceneFigures &own = mFigures[static_cast<std::size_t>(row)];
+    const SceneFigures &own = figures()[static_cast<std::size_t>(row)];
     switch (column) {
     case Name:
         return nameOf(row);
@@ -105,7 +82,7 @@ QString SceneTable::text(int row, int column) const
 
 QVariant SceneTable::sortKey(int row, int column) const
 {
-    const SceneFigures &own = mFigures[static_cast<std::size_t>(row)];
+    const SceneFigures &own = figures()[static_cast<std::size_t>(row)];
     switch (column) {
     case Eye:
         return own.hiddenFaces > 0;
@@ -126,7 +103,7 @@ QVariant SceneTable::sortKey(int row, int column) const
 
 QVariant SceneTable::decoration(int row, int column) const
 {
-    const SceneFigures &own = mFigures[static_cast<std::size_t>(row)];
+    const SceneFigures &own = figures()[static_cast<std::size_t>(row)];
     if (column == Eye)
         return icon(own.isHidden() ? QStringLiteral("hide") : QStringLiteral("show"));
     if (column == Name && mKind == SceneKind::Materials)
@@ -145,7 +122,7 @@ QVariant SceneTable::data(const QModelIndex &index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
-    const SceneFigures &own = mFigures[static_cast<std::size_t>(index.row())];
+    const SceneFigures &own = figures()[static_cast<std::size_t>(index.row())];
     const bool leftAligned = index.column() <= Name;
     switch (role) {
     case Qt::DisplayRole:
