@@ -55,7 +55,7 @@ public:
     //! Writes the scene, of which only the first UV set has changed since read().
     //! \param options gives the settings of a new session
     Result<Done> write(const Scene &scene, const CliOptions &options);
-    //! What the session has lost, and what its writing could not do; one line each.
+    //! What was lost when the session was read, and what could not be written; one line each.
     const QStringList &warnings() const { return mWarnings; }
 
     //! Lists the data that the format of the output loses, one line each.

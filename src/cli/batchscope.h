@@ -19,7 +19,7 @@ Result<std::shared_ptr<const JobScope>> batchScope(const CliOptions &options, co
 //! \pre options.per
 Result<std::vector<int>> batchTiles(const CliOptions &options, const Scene &scene, const ChartMap &charts);
 
-//! Cuts the charts along the border of the scope.
+//! Cuts the charts in two where the border of the scope runs through them.
 ChartMap chartsAlong(const JobScope &scope, ChartMap charts);
 
 //! True when at least one chart lies in the scope as a whole.

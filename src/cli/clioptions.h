@@ -82,13 +82,13 @@ struct CliOptions
     enum class Show { Model, Map, Both };
 
     Command command = Command::Help;
-    //! Of a batch, what is done with each file; of a help that is asked for behind a command, that command.
+    //! In a batch: the command for each file. In "COMMAND --help": that command.
     Command each = Command::Help;
     std::optional<ManyChoice> many; //!< of several files
     QString input;                  //!< a file, - or the name of a sample or a shell
     QStringList given;              //!< the names of the given options, -o for --output
     QString preset;                 //!< its name or path; read before the other options
-    bool showSettings = false;      //!< print the settings in place of the work
+    bool showSettings = false;      //!< print the settings instead of running the command
     bool dryRun = false;            //!< only say what would be written
     QString settingsText;           //!< these settings, in the form of a preset
     QString output;                 //!< -o

@@ -41,9 +41,10 @@ std::vector<CliOption> seamingOptions()
 {
     constexpr Group group = Group::Seaming;
     return {
-        choice(group, u"--seams"_s, fieldOf(&SolveSettings::seams),
-               u"whose seams: those of the search; the given ones and what the bound needs besides; exactly "
-               "the given ones"_s),
+        choice(
+            group, u"--seams"_s, fieldOf(&SolveSettings::seams),
+            u"which seams the map gets: those that the search finds; the given ones and what the bound needs "
+            "besides; exactly the given ones"_s),
         {group,
          {u"--seams-from"_s},
          u"LIST"_s,

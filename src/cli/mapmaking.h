@@ -40,11 +40,11 @@ public:
     Result<MadeMap> transfer(Scene &scene) const;
 
 private:
-    //! \param made by separating; what has no UVs stays
+    //! Puts the result of separating into the scene. Faces without UVs stay as they are.
     Result<MadeMap> separated(Scene &scene, const unwrap::SeparateResult &made) const;
-    //! Packs the islands that may change, for a map that there is.
+    //! Packs the islands of an existing map that may change.
     Result<Done> packIslands(const Snapshot &snapshot, Scene &scene, MadeMap &made) const;
-    //! Packs a map that was just made again, where the options distribute it over tiles.
+    //! Packs a new map once more when the options distribute it over tiles.
     Result<Done> packIntoTiles(const Snapshot &snapshot, Scene &scene, MadeMap &made) const;
     //! Packs over tiles, by density or into those in use.
     Result<Done> distribute(const ChartMap &charts, const unwrap::PackJob &pack, Scene &scene,

@@ -25,10 +25,10 @@ MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags
 //! The problems of a map, one sentence each; empty when it can be used. \param report from reportOn()
 QStringList mapProblems(const MapReport &report);
 
-//! What a map has of that which makes check fail, one sentence each. \param report from reportOn()
+//! The problems that make the command check fail, one sentence each. \param report from reportOn()
 QStringList failures(const MapReport &report, const CliOptions::FailOn &failOn);
 
-//! What a new map could not give to the model, one sentence each. \param report from reportOn()
+//! What a new map lacks, such as an area for some faces; one sentence each. \param report from reportOn()
 QStringList mapWarnings(const MapReport &report);
 
 //! The most important figures, one per line: the key in the report, the value and its meaning.

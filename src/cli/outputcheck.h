@@ -19,7 +19,7 @@ QStringList namedFiles(const CliOptions &options);
 //! may be written again as a model of its own format.
 Result<Done> checkClashes(const CliOptions &options, const DocumentState &model);
 
-//! The files that a command which makes pictures may not replace.
+//! The files that a command must not replace by its pictures.
 QStringList keptFiles(const CliOptions &options, const DocumentState &model);
 
 } // namespace autocuts

@@ -9,11 +9,11 @@
 
 namespace autocuts {
 
-//! How progress is said: not at all, by one line of a terminal that changes, by a line now and then, as where
-//! it goes to a file, or by lines of JSON for programs.
+//! How progress is shown. Line: one line of a terminal, written over again and again. Lines: a new line now
+//! and then, for a file. Json: lines of JSON, for programs.
 enum class ProgressStyle { None, Line, Lines, Json };
 
-//! Says progress: at most ten times a second, in Lines every ten seconds.
+//! Shows progress at most ten times a second, or every ten seconds for Lines.
 class ProgressLine final
 {
 public:

@@ -8,15 +8,16 @@
 
 namespace autocuts {
 
-//! Puts files into the place of "-": readers and writers of models need a file with a suffix.
+//! Lets commands use standard input and output: temporary files take the place of "-", because readers and
+//! writers of models need a file with a suffix.
 class StandardStreams final
 {
 public:
-    //! Reads standard input where the options name it as the input, and names files in place of "-".
+    //! Reads standard input when it is the input, and replaces each "-" of the options by a file.
     Result<Done> take(CliOptions &options);
     //! True when the output or the report is for standard output, which then takes nothing else.
     bool hasOutput() const { return !mOutput.isEmpty(); }
-    //! Writes what is for standard output there, if there is something. \param isMade there must be
+    //! Writes the output to standard output, if it goes there. \param isMade false: the output may be missing
     Result<Done> give(bool isMade) const;
     //! A text for the user or a report, with the names of the streams in place of those of the files.
     QString named(QString text) const;

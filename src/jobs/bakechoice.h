@@ -18,16 +18,16 @@ struct BakeChoice
     int width = 0;          //!< of the pictures, in texels; 0: that of the document's texture
     int samplesPerSide = 2; //!< of each texel
     int rays = 64;          //!< per texel
-    //! Share of the diagonal of the model's bounding box; not `ownCage`: it is measured for each bake, and
-    //! this is what was shown of it.
+    //! Distance of the cage, as a share of the diagonal of the model's bounding box. Unless ownCage, each
+    //! bake measures it, and this is the value that was shown last.
     double cage = 0.02;
     bool ownCage = false; //!< the user has typed it
     QString cageFile;     //!< in place of the distance; empty: none
     bake::CageDirection direction = bake::CageDirection::Smoothed;
-    double reach = 0; //!< of rays to what occludes, as a share of the diagonal; 0: everything does
+    double reach = 0; //!< how far away things occlude, as a share of the diagonal; 0: at any distance
     double curvatureRadius = 0.01, thicknessLimit = 0.25; //!< shares of the diagonal
     ColorSource colors = ColorSource::Auto;
-    bool byName = false;    //!< objects see those of the same name only
+    bool byName = false;    //!< each object is baked from the detailed ones of its name only
     bool greenDown = false; //!< normals for DirectX
     int dilation = 16;      //!< texels
     QString suffix = QStringLiteral("png");
@@ -35,7 +35,7 @@ struct BakeChoice
     QString folder;    //!< for the pictures
     bool putOn = true; //!< normals, occlusion and colours become textures of the model
 
-    //! True when the model gets at least one texture of it.
+    //! True when at least one of the maps becomes a texture of the model.
     bool isPutOn() const;
     bool operator==(const BakeChoice &) const = default;
     //! For the session. The dialog takes nothing from it that cannot be chosen there.

@@ -8,7 +8,7 @@
 
 namespace autocuts::jobs {
 
-//! A bake whose models are read.
+//! A bake that can start: its models have been read.
 struct PreparedBake
 {
     bake::BakeJob job;
@@ -17,7 +17,7 @@ struct PreparedBake
     std::optional<double> cage; //!< see MadePictures
 };
 
-//! Reads the other models of a choice, so it takes long. Without UVs, the surface is there without texels.
+//! Reads the other models of a choice, so it takes long. Without UVs, the surface has no texels.
 //! Errors: too large a picture, a model that cannot be read, a cage with other faces.
 Result<PreparedBake> prepareBake(const DocumentState &model, const PackingSettings &packing,
                                  const BakeChoice &choice, const JobContext &context);

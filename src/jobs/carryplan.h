@@ -24,7 +24,7 @@ struct CarriedPicture
 struct CarryTarget
 {
     QString folder;
-    //! Goes to the end of the names, in place of one that ends so but for its number: "_uv2".
+    //! Goes to the end of the names, such as "_uv2". It replaces one with another number, such as "_uv3".
     QString suffix;
     bool tiled = false; //!< the new map has several UDIM tiles
     //! The format of the files ("png"); empty: that of each source. JPEG pictures become PNG, because they
@@ -37,7 +37,7 @@ struct CarryPlan
 {
     std::vector<CarriedPicture> pictures;
     QStringList missing; //!< names of pictures that are not there, for messages
-    //! The files of a picture that would be written, as far as they exist already.
+    //! Those of the new files that exist already.
     QStringList existingFiles() const;
     //! The first new file that is one of the sources; empty when there is none.
     QString overwrittenSource() const;
@@ -49,7 +49,7 @@ QString fileOfTile(QString path, int tile);
 //! All pictures of the materials that faces have, each once: materials and channels that show the same
 //! picture go on sharing one. Looks for files, but does not read them.
 CarryPlan planCarrying(const DocumentState &state, const CarryTarget &target);
-//! Single files, for all faces; what they hold is judged by their names.
+//! A plan for single files, which are for all faces. Their names tell what they hold.
 CarryPlan planCarrying(const QStringList &files, const CarryTarget &target);
 
 //! The first of _uv2, _uv3, ... with which no new file would exist yet. \param target its suffix does not

@@ -10,8 +10,10 @@
 namespace autocuts::jobs {
 
 //! \param mapOfTextures the map that the model's textures were made for, for CarryChoice::From::Textures;
-//! nothing where it is not known After a stop or an Error no file was written. Where the textures are those
-//! of the materials, MadePictures::textureSets has the new ones.
+//! nothing where it is not known
+//!
+//! After a stop or an Error no file was written. When the textures are those of the materials,
+//! MadePictures::textureSets has the new ones.
 Result<MadePictures> carryTextures(const PictureInput &input, const std::optional<UvMatrix> &mapOfTextures,
                                    const CarryChoice &choice, const JobContext &context);
 
@@ -28,7 +30,7 @@ struct CarriedFiles
     bool stopped = false; //!< then nothing was written
     QStringList files;
     QStringList problems;      //!< pictures that could not be read, with the reasons
-    CarryPlan plan;            //!< what was made, without them; names are those of the files
+    CarryPlan plan;            //!< the pictures that were made; the names are those of their files
     bake::BakeFigures figures; //!< of all pictures together
 };
 

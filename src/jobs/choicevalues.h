@@ -1,4 +1,4 @@
-// How the numbers, switches and texts of choices stand in sessions.
+// Writes and reads the numbers, switches and texts of choices, for sessions.
 #pragma once
 
 #include <QCborMap>
@@ -6,7 +6,7 @@
 
 namespace autocuts::jobs {
 
-//! \param visit calls what it gets with the name of each value in files and the value
+//! \param visit calls its argument with each value and the name of that value in files
 template <typename Choice, typename Visit>
 QCborMap valuesOf(const Choice &choice, Visit visit)
 {
@@ -15,7 +15,7 @@ QCborMap valuesOf(const Choice &choice, Visit visit)
     return map;
 }
 
-//! Leaves values that are missing, or of another type. \param visit as above
+//! Values that are missing from the map or have another type stay as they are. \param visit as above
 template <typename Choice, typename Visit>
 void takeValues(const QCborMap &map, Choice &choice, Visit visit)
 {

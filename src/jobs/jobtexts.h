@@ -1,4 +1,4 @@
-// What jobs say, in the context that the translations know.
+// The texts of jobs. Their context has the name of the class that they once were in.
 #pragma once
 
 #include <QCoreApplication>

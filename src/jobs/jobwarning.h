@@ -1,4 +1,4 @@
-// What is not as wished about the result of a job: first as data, then as a text.
+// Warnings about the result of a job: as data, and as texts.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@
 
 namespace autocuts::jobs {
 
-//! One fact that the user should know about a result that there is.
+//! A fact that the user should know about a result.
 struct Warning
 {
     enum class Kind {

@@ -15,8 +15,8 @@ namespace autocuts::jobs {
 struct PictureInput
 {
     DocumentState model;     //!< its first UV set is the one that the pictures are for
-    PackingSettings packing; //!< its size counts where the choice names none
-    QStringList kept;        //!< files that nothing which is written may replace
+    PackingSettings packing; //!< the size of the pictures where the choice has none
+    QStringList kept;        //!< files that must not be replaced
     QStringList alsoWritten; //!< what the caller writes besides, such as a report
 };
 
@@ -34,7 +34,7 @@ struct MadePictures
     std::map<QString, double> seamDifferences;
     //! Of a bake, by the names of its maps: one of the files; it stands for those of all tiles.
     std::map<QString, QString> fileOfMap;
-    std::optional<double> cage; //!< its distance, where a detailed model was looked for by one
+    std::optional<double> cage; //!< distance of the cage, if a detailed model was baked with one
     //! The model's with the new pictures, as DocumentState::textureSets; empty: they are not for materials.
     std::vector<TextureSet> textureSets;
 };

@@ -8,7 +8,7 @@
 
 namespace autocuts::jobs {
 
-//! What a session keeps and presets name, and how long an unwrap searches.
+//! The settings that both sessions and presets hold, and how long an unwrap searches.
 struct MapSettings
 {
     SolveSettings solve;
@@ -18,12 +18,12 @@ struct MapSettings
     bool operator==(const MapSettings &) const = default;
 };
 
-//! The settings that a preset names, the defaults of those that it does not name, and from before what
-//! presets do not hold: lambda, delta and the weight of the rectangles.
+//! The settings of a preset, with defaults for those that it does not name. What no preset holds stays as it
+//! was: lambda, delta and the weight of the rectangles.
 struct PresetSettings
 {
     MapSettings settings;
-    QStringList others; //!< options in the preset that are no such setting, such as "per"
+    QStringList others; //!< options in the preset that are not in MapSettings, such as "per"
 };
 
 //! An Error names the line of the preset that is wrong.

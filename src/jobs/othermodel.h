@@ -21,7 +21,7 @@ Result<OtherModel> readOtherModel(const QString &path, double tileHeight, const 
 //! An error about such a model, with what a session has lost, which may be the reason.
 Error withLosses(Error error, const OtherModel &model);
 
-//! The scene with one of its UV sets as the first one. \param set of the scene; else the order stays
+//! The scene with one of its UV sets as the first one. \param set out of range: nothing changes
 Scene withFirstSet(Scene scene, int set);
 
 //! The set of this name, or else of this number from 1. \param path for messages

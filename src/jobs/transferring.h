@@ -41,10 +41,9 @@ struct TransferredUvs
     QStringList warnings() const; //!< what is not as it should be, one line each
 };
 
-//! From an object, every object that has some of the faces gets its UVs by itself, and the object is moved
-//! onto it where they lie apart; if it has some of the faces too, these stay as they are, and so do
-//! objects of another shape. Anything else is
-//! matched as a whole, where it lies; where that is far away, in other units or turned between y up and z up.
+//! From an object, each object with some of the faces gets UVs by itself: the source is moved onto it when
+//! they lie apart. Faces of the source itself and objects of another shape stay as they are. Any other source
+//! is matched as a whole, where it lies; when that is far away, in other units or with another axis up.
 Result<TransferredUvs> runTransfer(const TransferJob &input, const transfer::TransferControl &control);
 
 } // namespace autocuts::jobs

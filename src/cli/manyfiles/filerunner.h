@@ -12,12 +12,13 @@
 
 namespace autocuts::manyfiles {
 
-//! The memory that a file is expected to take, in bytes: what the program takes without one, and a multiple
-//! of the size of the file, measured with OBJ files, which take the most for their size but for packed
-//! formats.
+//! The memory that a file is expected to take, in bytes: that of the program itself and a multiple of the
+//! file's size. The factor was measured with OBJ files: of the formats that are not compressed, they take the
+//! most for their size.
 qint64 expectedMemory(const FileTask &task);
 
-//! What runs at once: no more than so many files, and no more than fit into the memory, large ones alone.
+//! Limits on the files at work at once: their number, and the memory that they are expected to take. A file
+//! that is expected to take more runs alone.
 struct RunLimits
 {
     int jobs = 1;

@@ -7,9 +7,8 @@ namespace autocuts::manyfiles {
 
 //! Memory that is free, in bytes.
 qint64 freeMemory();
-//! Makes a process that is started next end with this program, where the system can do that, and leaves
-//! Ctrl-C to the program. Its files are worked on for the batch only: without it nothing would note what
-//! comes of them.
+//! Prepares a process before its start. It is to end when this program ends, where the system can do that,
+//! because then nobody would note its results; and Ctrl-C is to reach this program only.
 void endWithProgram(QProcess &process);
 
 } // namespace autocuts::manyfiles

@@ -6,7 +6,7 @@ namespace autocuts {
 //! Conditions for an action to be enabled.
 enum ActionNeed {
     NeedsDocument = 1 << 0,
-    NeedsUvs = 1 << 1, //!< the active set has UVs, or the solver has something for it
+    NeedsUvs = 1 << 1, //!< the active set has UVs, or a solve has made some for it
     NeedsSelection = 1 << 2,
     NeedsSelectedEdges = 1 << 3,
     NeedsSelectedFaces = 1 << 4,

@@ -47,8 +47,8 @@ private:
     PictureController mPictures;
     jobs::BakeChoice mChoice; //!< the one last made
     QStringList mBaking;      //!< files of the bake that runs
-    //! The files of bakes before and when they were written: unless they were changed since, they are
-    //! replaced without a question.
+    //! The files of earlier bakes and when they were written. Those that were not changed since are replaced
+    //! without a question.
     QHash<QString, QDateTime> mBaked;
     jobs::CarryChoice mCarryChoice; //!< likewise, without what belongs to a model
     jobs::LightChoice mLight;       //!< likewise, for this document

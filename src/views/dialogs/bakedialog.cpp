@@ -116,7 +116,7 @@ BakeDialog::BakeDialog(const Document &document, const jobs::BakeChoice &last, c
     for (QLineEdit *edit : {mHigh, mCageFile})
         connect(edit, &QLineEdit::textChanged, this, &BakeDialog::sourceChanged);
     connect(mCage, &QDoubleSpinBox::valueChanged, this, &BakeDialog::cageTyped);
-    // Also where it is the number that was there.
+    // Typing the number that was there emits no valueChanged(), but makes it the user's own.
     connect(mCage->findChild<QLineEdit *>(), &QLineEdit::textEdited, this, &BakeDialog::cageTyped);
     sourceChanged();
     resizeToContent(*this);
@@ -293,7 +293,7 @@ void BakeDialog::browseCage()
         mCageFile->setText(QDir::toNativeSeparators(path));
 }
 
-//! A cage that nobody has typed is proposed for each detailed model.
+//! Proposes a cage for a new detailed model, unless the user has typed one.
 void BakeDialog::sourceChanged()
 {
     const jobs::BakeChoice chosen = choice();

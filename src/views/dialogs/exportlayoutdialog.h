@@ -17,7 +17,7 @@ class ColorButton;
 class PathField;
 class Questions;
 
-//! The faces of which the picture is.
+//! The faces that the picture shows.
 enum class LayoutPart { All, Shown, Selected };
 
 //! Sets format, size, colours, bleed and what is drawn.

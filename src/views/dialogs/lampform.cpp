@@ -141,7 +141,7 @@ void LampForm::addRow(const LightPlan::Area &area)
     set(Light, textOf(area.radiance));
 }
 
-//! Over the model.
+//! Adds a lamp over the model.
 void LampForm::addLamp()
 {
     addRow({mMiddle + 0.75 * mSize * mUp, mMiddle, Vec2::Constant(0.5 * mSize), Vec3f::Constant(5)});

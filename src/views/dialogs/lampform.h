@@ -32,7 +32,7 @@ public:
     std::optional<Emission> emission() const;
     //! What is wrong, translated; empty when nothing is.
     QString problem() const;
-    //! For new lamps.
+    //! The direction from the model in which new lamps are added.
     void setUp(const Vec3 &up) { mUp = up; }
 
 Q_SIGNALS:

@@ -1,4 +1,4 @@
-// The form for whose seams a map gets.
+// The form that says which edges become seams: given ones, found ones or both.
 #pragma once
 
 #include "model/plain/solvesettings.h"
@@ -14,8 +14,8 @@ class QDoubleSpinBox;
 
 namespace autocuts {
 
-//! Chooses whose seams the map gets and what the given ones are. Does not use the document; changes are
-//! emitted as signals.
+//! Chooses whether the map gets given seams, and which edges are given. Does not use the document; changes
+//! are emitted as signals.
 class GivenSeamForm final : public QWidget
 {
     Q_OBJECT

@@ -28,7 +28,7 @@ public:
     QString message() const;
 
 Q_SIGNALS:
-    //! It lies elsewhere now, is shown or hidden.
+    //! The bar was moved, shown or hidden.
     void placed();
 
 protected:

@@ -14,7 +14,7 @@ class SeamPriceList;
 class SliderSpin;
 
 //! Cuts, joins and frees the selected edges, paints weights on the edges of the selected faces that keep them
-//! together or attract cuts, chooses whose seams the map gets, and lists what each seam is worth.
+//! together or attract cuts, chooses which edges become seams, and lists what each seam is worth.
 class SeamPanel final : public Panel
 {
     Q_OBJECT

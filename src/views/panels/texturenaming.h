@@ -5,7 +5,7 @@
 
 namespace autocuts {
 
-//! Translated.
+//! The translated name of a channel.
 QString channelName(TextureChannel channel);
 
 } // namespace autocuts

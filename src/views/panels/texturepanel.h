@@ -40,7 +40,7 @@ private:
     void refreshButtons();
     void followSelection();
     int material() const;
-    //! That of the chosen row.
+    //! The channel of the chosen row.
     TextureChannel channel() const;
     QString fileText(const TextureSet &set, TextureChannel channel) const;
     QString folderToStart() const;

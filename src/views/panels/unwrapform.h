@@ -30,8 +30,7 @@ public:
     //! Shows settings without emitting signals.
     void setSettings(const SolveSettings &settings);
     void setQuality(unwrap::UnwrapQuality quality);
-    //! Shows what the last map was made for: the share of the area in parts that were recognised as hard
-    //! surfaces; nothing: unknown.
+    //! Shows which share of the area the last unwrap recognised as hard surfaces; nothing: unknown.
     void setRecognised(std::optional<double> hardShare);
 
 Q_SIGNALS:
