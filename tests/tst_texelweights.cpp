@@ -18,6 +18,8 @@
 #include <QTest>
 
 #include <cmath>
+#include <optional>
+#include <thread>
 
 namespace tst_texelweights {
 
@@ -90,6 +92,7 @@ class TestTexelWeights : public QObject
 private Q_SLOTS:
     void noneAreStoredWhenAllAreOne();
     void snapshotsShareTheMeshUntilItIsPainted();
+    void strokesDoNotCopyTheMesh();
     void sessionsKeepThem();
     void relinkingKeepsThem();
     void restShapesAreScaled();
@@ -131,6 +134,31 @@ void TestTexelWeights::snapshotsShareTheMeshUntilItIsPainted()
     QCOMPARE(painted.mesh->validate(), std::string());
     document->undoStack().undo();
     QCOMPARE(makeSnapshot(*document).mesh.get(), &document->mesh());
+}
+
+void TestTexelWeights::strokesDoNotCopyTheMesh()
+{
+    const auto document = test::gridDocument();
+    const auto paint = [&](double weight) {
+        return pushCommand(SetTexelWeights::uniform(*document, IndexRanges::all(2), weight));
+    };
+    QVERIFY(paint(2));
+    document->weightedMesh();
+    QVERIFY(paint(3));
+    const MeshData *const shown = document->weightedMesh().get();
+    QVERIFY(paint(4));
+    QCOMPARE(document->weightedMesh().get(), shown);
+    QCOMPARE(shown->texelWeight, document->state().texelWeights);
+    // What somebody uses stays as it is, and is taken when nobody uses it any more.
+    std::optional<Snapshot> used = makeSnapshot(*document);
+    QVERIFY(paint(5));
+    QCOMPARE(used->mesh->texelWeight[0], 4.0);
+    QCOMPARE(document->weightedMesh()->texelWeight[0], 5.0);
+    used.reset();
+    std::thread([mesh = document->weightedMesh()] {}).join();
+    QVERIFY(paint(6));
+    QCOMPARE(document->weightedMesh()->texelWeight[0], 6.0);
+    QCOMPARE(document->weightedMesh()->validate(), std::string());
 }
 
 void TestTexelWeights::sessionsKeepThem()

@@ -1,5 +1,6 @@
 #include "model/document/documenteditor.h"
 
+#include "model/document/weightedmesh.h"
 #include "model/plain/texelweights.h"
 
 #include <algorithm>
@@ -128,7 +129,11 @@ void DocumentEditor::setTexelWeights(const IndexRanges &faces, std::span<const d
     if (changedFaces.isEmpty())
         return;
     mState.texelWeights = storedTexelWeights(std::move(weights));
-    mDocument.mWeightedMesh.reset();
+    std::shared_ptr<const MeshData> &weighted = mDocument.mWeightedMesh;
+    if (weighted && weighted != mState.scene.mesh && !mState.texelWeights.empty())
+        weighted = reweighted(std::move(weighted), mState.scene.mesh, mState.texelWeights);
+    else
+        weighted.reset();
     mDocument.announce(TexelWeightEvent(std::move(changedFaces)));
 }
 
