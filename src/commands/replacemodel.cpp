@@ -29,7 +29,7 @@ qint64 bytesOf(const DocumentState &state)
 
 ReplaceModel::ReplaceModel(Document &document, DocumentState state)
     : DocumentCommand(document), mFileName(QFileInfo(state.scene.path).fileName()),
-      mOther(std::make_unique<DocumentEditor::OtherModel>(std::move(state), nullptr))
+      mOther(new DocumentEditor::OtherModel{std::move(state), nullptr})
 {}
 
 QString ReplaceModel::label() const
