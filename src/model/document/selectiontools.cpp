@@ -1,10 +1,10 @@
 #include "model/document/selectiontools.h"
 
 #include "model/document/islands.h"
+#include "model/plain/nearestfirst.h"
 
 #include <algorithm>
 #include <limits>
-#include <queue>
 #include <set>
 
 namespace autocuts {
@@ -162,41 +162,21 @@ std::vector<int> edgeLoop(const MeshData &mesh, const MeshAdjacency &adjacency, 
 std::vector<int> shortestPath(const MeshAdjacency &adjacency, int from, int to,
                               std::span<const double> edgeFactor)
 {
-    struct Reached
-    {
-        double distance = std::numeric_limits<double>::infinity();
-        int edge = -1;
-    };
-    std::vector<Reached> reached;
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    const auto at = [&](int vertex) -> Reached & {
-        if (vertex >= static_cast<int>(reached.size()))
-            reached.resize(vertex + 1);
-        return reached[vertex];
-    };
-    at(from).distance = 0;
-    queue.emplace(0, from);
-    while (!queue.empty()) {
-        const auto [distance, vertex] = queue.top();
-        queue.pop();
-        if (distance > at(vertex).distance)
-            continue;
-        if (vertex == to)
-            break;
+    std::vector<double> distance(adjacency.vertexCount(), std::numeric_limits<double>::infinity());
+    std::vector<int> via(adjacency.vertexCount(), -1); // the last edge of the path to a vertex
+    NearestFirst queue(distance);
+    queue.reach(from, 0);
+    for (int vertex = queue.next(); vertex >= 0 && vertex != to; vertex = queue.next()) {
         for (int edge : adjacency.vertexEdges(vertex)) {
             const double factor = edgeFactor.empty() ? 1.0 : edgeFactor[edge];
-            const double candidate = distance + factor * adjacency.edgeLength(edge);
             const int other = adjacency.otherEnd(edge, vertex);
-            if (candidate < at(other).distance) {
-                at(other) = {candidate, edge};
-                queue.emplace(candidate, other);
-            }
+            if (queue.reach(other, distance[vertex] + factor * adjacency.edgeLength(edge)))
+                via[other] = edge;
         }
     }
     std::vector<int> path;
     for (int vertex = to; vertex != from;) {
-        const int edge = at(vertex).edge;
+        const int edge = via[vertex];
         if (edge < 0)
             return {};
         path.push_back(edge);

@@ -2,28 +2,6 @@
 
 namespace autocuts {
 
-namespace {
-
-//! Groups the items 0, 1, ... by key(item) and keeps their order within a group. Items with key -1 are left
-//! out.
-template <typename Keys>
-IndexLists grouped(int listCount, int itemCount, Keys keys)
-{
-    IndexLists lists;
-    lists.start.assign(listCount + 1, 0);
-    for (int i = 0; i < itemCount; ++i)
-        keys(i, [&](int key) { ++lists.start[key + 1]; });
-    for (int list = 0; list < listCount; ++list)
-        lists.start[list + 1] += lists.start[list];
-    lists.items.resize(lists.start.back());
-    std::vector<int> next(lists.start.begin(), lists.start.end() - 1);
-    for (int i = 0; i < itemCount; ++i)
-        keys(i, [&](int key) { lists.items[next[key]++] = i; });
-    return lists;
-}
-
-} // namespace
-
 MeshAdjacency::MeshAdjacency(const MeshData &mesh)
     : mCornerEdge(mesh.cornerCount(), -1), mCornerFace(mesh.cornerCount(), -1)
 {
@@ -55,16 +33,19 @@ MeshAdjacency::MeshAdjacency(const MeshData &mesh)
             (mesh.cornerPosition(mesh.cornerOfSoup(a)) - mesh.cornerPosition(mesh.cornerOfSoup(b))).norm(),
             false);
     }
-    mVertexEdges = grouped(mesh.vertexCount(), edgeCount(), [&](int edge, auto visit) {
+    std::vector<std::pair<int, int>> edgesOfVertices, cornersOfVertices;
+    for (int edge = 0; edge < edgeCount(); ++edge) {
         if (isDiagonal(edge))
-            return;
-        visit(mEdgeVertices[edge][0]);
-        if (mEdgeVertices[edge][1] != mEdgeVertices[edge][0])
-            visit(mEdgeVertices[edge][1]);
-    });
-    mVertexCorners = grouped(mesh.vertexCount(), mesh.cornerCount(), [&](int corner, auto visit) {
-        visit(mesh.vertexWeld[mesh.cornerVertex[corner]]);
-    });
+            continue;
+        const auto [a, b] = mEdgeVertices[edge];
+        edgesOfVertices.emplace_back(a, edge);
+        if (b != a)
+            edgesOfVertices.emplace_back(b, edge);
+    }
+    for (int corner = 0; corner < mesh.cornerCount(); ++corner)
+        cornersOfVertices.emplace_back(mesh.vertexWeld[mesh.cornerVertex[corner]], corner);
+    mVertexEdges = CsrList(mesh.vertexCount(), edgesOfVertices);
+    mVertexCorners = CsrList(mesh.vertexCount(), cornersOfVertices);
 }
 
 } // namespace autocuts

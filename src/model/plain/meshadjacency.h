@@ -7,6 +7,7 @@
 // vertices.
 #pragma once
 
+#include "model/plain/csrlist.h"
 #include "model/plain/meshdata.h"
 
 #include <array>
@@ -15,24 +16,13 @@
 
 namespace autocuts {
 
-//! A list of lists of integers in one array.
-struct IndexLists
-{
-    std::vector<int> start{0};
-    std::vector<int> items;
-
-    std::span<const int> of(int list) const
-    {
-        return {items.data() + start[list], items.data() + start[list + 1]};
-    }
-};
-
 //! Adjacency of vertices, edges and faces; built once per mesh.
 class MeshAdjacency
 {
 public:
     explicit MeshAdjacency(const MeshData &mesh);
 
+    int vertexCount() const { return mVertexEdges.size(); }
     int edgeCount() const { return static_cast<int>(mEdgeVertices.size()); }
     bool isDiagonal(int edge) const { return mDiagonal[edge]; }
     //! True when the edge has only one face.
@@ -51,11 +41,11 @@ public:
     //! The edge from a corner to the next corner of its polygon.
     int edgeOfCorner(int corner) const { return mCornerEdge[corner]; }
     //! Edges that end at a vertex, in ascending order.
-    std::span<const int> vertexEdges(int vertex) const { return mVertexEdges.of(vertex); }
+    std::span<const int> vertexEdges(int vertex) const { return mVertexEdges[vertex]; }
     //! Corners at a vertex, in ascending order.
-    std::span<const int> vertexCorners(int vertex) const { return mVertexCorners.of(vertex); }
+    std::span<const int> vertexCorners(int vertex) const { return mVertexCorners[vertex]; }
     //! All corners, grouped by vertex.
-    const std::vector<int> &cornersByVertex() const { return mVertexCorners.items; }
+    const std::vector<int> &cornersByVertex() const { return mVertexCorners.values(); }
     int faceOfCorner(int corner) const { return mCornerFace[corner]; }
 
 private:
@@ -63,7 +53,7 @@ private:
     std::vector<double> mEdgeLength;
     std::vector<bool> mDiagonal;
     std::vector<int> mCornerEdge, mCornerFace;
-    IndexLists mVertexEdges, mVertexCorners;
+    CsrList mVertexEdges, mVertexCorners;
 };
 
 } // namespace autocuts

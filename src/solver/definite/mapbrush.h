@@ -1,8 +1,8 @@
 // Brushes that shape a definite map: what is under them is relaxed, drawn together or moved.
 #pragma once
 
+#include "model/plain/csrlist.h"
 #include "model/plain/islandflags.h"
-#include "solver/base/csrlist.h"
 #include "solver/base/soup.h"
 #include "solver/overlap/movingtriangles.h"
 

@@ -1,8 +1,8 @@
 // Graph of the units that cuts may separate: which are linked and which overlap.
 #pragma once
 
+#include "model/plain/csrlist.h"
 #include "model/plain/meshdata.h"
-#include "solver/base/csrlist.h"
 #include "solver/overlap/overlapfinder.h"
 
 #include <vector>

@@ -1,8 +1,8 @@
 // What holds corners at places in the plane: pins and rectangles, for the seam search.
 #pragma once
 
+#include "model/plain/csrlist.h"
 #include "model/plain/snapshot.h"
-#include "solver/base/csrlist.h"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,10 @@
 #include "solver/search/seamchains.h"
 
+#include "model/plain/nearestfirst.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace autocuts::search {
 
@@ -63,20 +66,19 @@ std::vector<int> SeamPaths::find(int from, int to, double noise, Random &random,
     const auto isSeam = [&](int v) {
         return mAllowed[v] != mRound && (graph.border[v] || mState.cutsAt[v] > 0);
     };
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    NearestFirst queue(mDistance);
+    const auto reach = [&](int v, double distance, int edge) {
+        if (mSeen[v] != mSearch)
+            mDistance[v] = std::numeric_limits<double>::infinity();
+        mSeen[v] = mSearch;
+        if (queue.reach(v, distance))
+            mVia[v] = edge;
+    };
     ++mSearch;
-    mSeen[from] = mSearch;
-    mDistance[from] = 0;
-    mVia[from] = -1;
-    queue.emplace(0, from);
+    reach(from, 0, -1);
     int reached = -1;
-    while (!queue.empty()) {
-        const auto [distance, v] = queue.top();
-        queue.pop();
-        if (distance > mDistance[v])
-            continue;
-        if (distance > longest)
+    for (int v = queue.next(); v >= 0; v = queue.next()) {
+        if (mDistance[v] > longest)
             return {};
         if (v != from && (v == to || (to < 0 && isSeam(v)))) {
             reached = v;
@@ -90,13 +92,7 @@ std::vector<int> SeamPaths::find(int from, int to, double noise, Random &random,
                 (to >= 0 && w != to && isSeam(w)))
                 continue;
             const double factor = noise > 0 ? std::exp(noise * random.uniform(-1, 1)) : 1;
-            const double d = distance + factor * graph.cost[e];
-            if (mSeen[w] != mSearch || d < mDistance[w]) {
-                mSeen[w] = mSearch;
-                mDistance[w] = d;
-                mVia[w] = e;
-                queue.emplace(d, w);
-            }
+            reach(w, mDistance[v] + factor * graph.cost[e], e);
         }
     }
     std::vector<int> path;

@@ -1,8 +1,8 @@
 // The edges of the mesh as a graph for the seam search. Immutable.
 #pragma once
 
+#include "model/plain/csrlist.h"
 #include "model/plain/snapshot.h"
-#include "solver/base/csrlist.h"
 #include "solver/base/cutmesh.h"
 #include "solver/base/soup.h"
 #include "solver/preference/meshsymmetry.h"

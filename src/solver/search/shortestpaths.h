@@ -1,11 +1,11 @@
 // Shortest paths along the edges of a mesh.
 #pragma once
 
+#include "model/plain/nearestfirst.h"
 #include "solver/search/seamgraph.h"
 
 #include <algorithm>
-#include <queue>
-#include <utility>
+#include <limits>
 #include <vector>
 
 namespace autocuts::search {
@@ -32,7 +32,7 @@ class ShortestPaths
 {
 public:
     ShortestPaths(const SeamGraph &graph, const std::vector<double> &cost)
-        : mGraph(graph), mCost(cost), mDistance(graph.vertexCount, -1), mVia(graph.vertexCount, -1)
+        : mGraph(graph), mCost(cost), mDistance(graph.vertexCount, unreached), mVia(graph.vertexCount, -1)
     {}
 
     //! Finds the paths from the nearest of some vertices, along edges that are not joined by the user and
@@ -41,34 +41,28 @@ public:
     template <typename MayPass, typename EndsAt>
     int run(const std::vector<int> &from, Way way, MayPass mayPass, EndsAt endsAt)
     {
-        for (const int v : mReached)
-            mDistance[v] = mVia[v] = -1;
+        for (const int v : mReached) {
+            mDistance[v] = unreached;
+            mVia[v] = -1;
+        }
         mReached.clear();
-        using Entry = std::pair<double, int>;
-        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+        NearestFirst queue(mDistance);
         const auto reach = [&](int v, double there, int edge) {
-            if (mDistance[v] < 0)
+            const bool isNew = mDistance[v] == unreached;
+            if (!queue.reach(v, there))
+                return;
+            if (isNew)
                 mReached.push_back(v);
-            mDistance[v] = there;
             mVia[v] = edge;
-            queue.emplace(there, v);
         };
         for (const int v : from)
             reach(v, 0, -1);
-        while (!queue.empty()) {
-            const auto [d, v] = queue.top();
-            queue.pop();
-            if (d > mDistance[v])
-                continue;
+        for (int v = queue.next(); v >= 0; v = queue.next()) {
             if (endsAt(v))
                 return v;
             for (const int e : mGraph.edgesAt(v)) {
-                if (!mayTake(mGraph, way, e, v, d == 0) || !mayPass(e, v))
-                    continue;
-                const int w = mGraph.farEnd(e, v);
-                const double there = d + mCost[e];
-                if (mDistance[w] < 0 || there < mDistance[w])
-                    reach(w, there, e);
+                if (mayTake(mGraph, way, e, v, mDistance[v] == 0) && mayPass(e, v))
+                    reach(mGraph.farEnd(e, v), mDistance[v] + mCost[e], e);
             }
         }
         return -1;
@@ -116,9 +110,11 @@ public:
     }
 
 private:
+    static constexpr double unreached = std::numeric_limits<double>::infinity();
+
     const SeamGraph &mGraph;
     const std::vector<double> &mCost;
-    std::vector<double> mDistance; //!< per vertex; -1: not reached
+    std::vector<double> mDistance; //!< per vertex
     std::vector<int> mVia;         //!< per vertex: the last edge of its path, -1 without one
     std::vector<int> mReached;     //!< vertices
 };

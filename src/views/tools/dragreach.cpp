@@ -1,9 +1,10 @@
 #include "views/tools/dragreach.h"
 
+#include "model/plain/nearestfirst.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 
 namespace autocuts {
 
@@ -47,29 +48,19 @@ public:
     //! radius on.
     std::vector<double> distances(const std::vector<int> &handles, double radius) const
     {
-        using Entry = std::pair<double, int>;
         std::vector<double> distance(mPartners.size(), std::numeric_limits<double>::infinity());
         std::vector<int> source(mPartners.size(), -1);
-        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+        NearestFirst queue(distance);
         for (int handle : handles) {
-            distance[handle] = 0;
+            queue.reach(handle, 0);
             source[handle] = handle;
-            queue.emplace(0.0, handle);
         }
-        while (!queue.empty()) {
-            const auto [from, corner] = queue.top();
-            queue.pop();
-            if (from > distance[corner])
-                continue;
-            const auto reach = [&](int next) {
+        for (int corner = queue.next(); corner >= 0; corner = queue.next()) {
+            forNeighbours(corner, [&](int next) {
                 const double way = (mUv.row(next) - mUv.row(source[corner])).norm();
-                if (!(way < radius) || !(way < distance[next]))
-                    return;
-                distance[next] = way;
-                source[next] = source[corner];
-                queue.emplace(way, next);
-            };
-            forNeighbours(corner, reach);
+                if (way < radius && queue.reach(next, way))
+                    source[next] = source[corner];
+            });
         }
         return distance;
     }

@@ -24,7 +24,10 @@ public:
     //! not contain it.
     //! \pre the list is sorted
     int find(int index, int value) const;
+    int size() const { return static_cast<int>(mFirst.size()) - 1; }
     int totalSize() const { return static_cast<int>(mValue.size()); }
+    //! The values of all lists, one list after another.
+    const std::vector<int> &values() const { return mValue; }
 
 private:
     std::vector<int> mFirst{0};

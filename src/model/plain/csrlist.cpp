@@ -1,4 +1,4 @@
-#include "solver/base/csrlist.h"
+#include "model/plain/csrlist.h"
 
 #include <algorithm>
 
