@@ -1,5 +1,6 @@
 #include "solver/newton/minimizer.h"
 
+#include "solver/base/linesearch.h"
 #include "solver/energy/distortion.h"
 
 #include <algorithm>
@@ -10,17 +11,13 @@ namespace autocuts::newton {
 
 namespace {
 
-//! Share of the predicted decrease that a step must reach (Armijo): the usual value, not tuned.
-constexpr double armijo = 1e-4;
-//! Share of the step to the first flip that may be taken. From the prototype; no measurement of its effect is
-//! recorded.
-constexpr double flipMargin = 0.9;
-//! Shortest and longest step of the line search. Chosen by hand; no measurement of their effect is recorded.
+// Numbers in this file without another source were chosen by hand.
+
+//! Shortest and longest step of the line search.
 constexpr int maxHalvings = 30;
 constexpr double longestStep = 64;
 //! A longer step is tried when the parabola through the first one has its minimum beyond this multiple of it.
-//! By that parabola doubling pays from 1.5 on; 1.4 leaves a margin. Chosen by hand; no measurement of its
-//! effect is recorded.
+//! By that parabola doubling pays from 1.5 on; 1.4 leaves a margin.
 constexpr double promisingMinimum = 1.4;
 
 } // namespace
@@ -110,8 +107,8 @@ Minimizer::Step Minimizer::step(std::vector<double> &x)
     }
     std::vector<double> accepted;
     result.values = mValues;
-    // The majorised Hessian makes steps too short: double the step while the energy falls. In the prototype
-    // this gave fewer iterations and shorter seams.
+    // The majorised Hessian makes steps too short: double the step while the energy falls. On the first
+    // meshes (docs/constants.md) this gave fewer iterations and shorter seams.
     const double bend = 2 * (value - result.before - length * slope) / (length * length);
     const bool promising = -slope > promisingMinimum * length * bend;
     while (halvings == 0 && promising && 2 * length <= bound) {

@@ -1,6 +1,8 @@
 // Newton's method on a patch.
 #include "solver/search/patch.h"
 
+#include "solver/base/linesearch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,14 +10,7 @@ namespace autocuts::search {
 
 namespace {
 
-constexpr double armijo = 1e-4;    // usual constant of the sufficient decrease condition
-constexpr double flipMargin = 0.9; // share of the way to the first flip that a step may go
-constexpr int maxHalvings = 12;    // of the step length
-// Step halvings because of crossing boundaries before the points at the crossing are frozen, and how often a
-// step is solved again with more points frozen. Chosen by hand; their effect has not been measured.
-constexpr int contactHalvings = 3;
-constexpr int freezeRounds = 4;
-constexpr double frozenPivot = 1e30; // added to the diagonal of frozen unknowns: they do not move
+constexpr int maxHalvings = 12; // of the step length; chosen by hand
 
 } // namespace
 

@@ -1,6 +1,7 @@
 #include "solver/straight/linenewton.h"
 
 #include "model/plain/unionfind.h"
+#include "solver/base/linesearch.h"
 #include "solver/base/rigidfit.h"
 #include "solver/linear/cholmodsolver.h"
 #include "solver/search/trianglekernel.h"
@@ -16,14 +17,9 @@ namespace autocuts::straight {
 namespace {
 
 // Chosen by hand.
-constexpr double flipMargin = 0.9; // share of the way to the first flip that a step may go
-constexpr int mostApproaches = 12; // steps to the lines
-constexpr int mostHalvings = 20;   // of the step length
-constexpr int contactHalvings = 3; // because of crossing borders, before the points at the crossing are held
-constexpr int freezeRounds = 4;    // how often a step is solved again with more points held
-constexpr double frozenPivot = 1e30;
+constexpr int mostApproaches = 12;             // steps to the lines
+constexpr int mostHalvings = 20;               // of the step length
 constexpr std::size_t trianglesPerLook = 4096; // at the stop flag
-constexpr double armijo = 1e-4;                // usual constant of the sufficient decrease condition
 constexpr double tolerance = 1e-7;  // predicted gain, as a share of the energy, below which steps end
 constexpr double grounding = 1e-9;  // of the mean pivot, since nothing holds an island in its place
 constexpr double leastSine = 0.342; // of the angle between two lines of one point: 20 degrees
