@@ -22,6 +22,9 @@ target_compile_definitions(autocuts_flags INTERFACE
   QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_URL_CAST_FROM_STRING
   QT_NO_CAST_FROM_BYTEARRAY QT_NO_FOREACH QT_NO_KEYWORDS
   QT_DISABLE_DEPRECATED_BEFORE=0x060400)
+if(AUTOCUTS_TUNABLE)
+  target_compile_definitions(autocuts_flags INTERFACE AUTOCUTS_TUNABLE)
+endif()
 if(AUTOCUTS_SANITIZE)
   target_compile_definitions(autocuts_flags INTERFACE AUTOCUTS_SANITIZED)
   target_compile_options(autocuts_flags INTERFACE -fsanitize=${AUTOCUTS_SANITIZE} -fno-omit-frame-pointer)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/types.h"
+#include "solver/base/constant.h"
 #include "solver/base/seamedmap.h"
 
 #include <algorithm>
@@ -59,6 +60,6 @@ double crookedCost(const Soup &soup, const SeamedMap &map, const CutMesh &charts
 //! 0.25. Measured in standard, 0 beside 0.25: a truck's seams 17.1 and 21.4 with .05 and .48 of its border
 //! along the axes; wheels 12.0 and 12.0, .24 and .31; a bottle 5.4 and 4.8, .32 and .26; a gear does not
 //! change.
-inline constexpr double alignmentCost = 0.25;
+inline AUTOCUTS_CONSTANT(double, alignmentCost, 0.25);
 
 } // namespace autocuts

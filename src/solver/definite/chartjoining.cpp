@@ -1,5 +1,6 @@
 #include "solver/definite/chartjoining.h"
 
+#include "solver/base/constant.h"
 #include "solver/base/cornerat.h"
 #include "solver/base/rigidfit.h"
 #include "solver/energy/distortion.h"
@@ -16,16 +17,16 @@ namespace autocuts::definite {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! How many rings of triangles around a closed seam may move, for joined charts and for zipped edges, and the
-//! Newton steps in which they do. Chosen by hand; no measurement of their effect is recorded.
-constexpr int looseRings = 8;
+//! Newton steps in which they do.
+AUTOCUTS_CONSTANT(int, looseRings, 8);
 constexpr int zipRings = 5;
-constexpr int localSteps = 10;
-//! An edge can be closed when its two sides are at most this far apart, as a share of its length. Chosen by
-//! hand; no measurement of its effect is recorded.
-constexpr double fitDistance = 0.6;
-//! Least UV area of each triangle at a closed seam, as a share of its area at rest. Chosen by hand; no
-//! measurement of its effect is recorded.
+AUTOCUTS_CONSTANT(int, localSteps, 10);
+//! An edge can be closed when its two sides are at most this far apart, as a share of its length.
+AUTOCUTS_CONSTANT(double, fitDistance, 0.6);
+//! Least UV area of each triangle at a closed seam, as a share of its area at rest.
 constexpr double smallestDeterminant = 0.05;
 
 //! Joins charts and zips seams of one map within the limits.

@@ -1,5 +1,6 @@
 #include "solver/definite/rigidsettling.h"
 
+#include "solver/base/constant.h"
 #include "solver/definite/relaxing.h"
 #include "solver/rigid/nets.h"
 #include "solver/search/bentregions.h"
@@ -12,12 +13,14 @@ namespace autocuts::definite {
 
 namespace {
 
-//! Factor on the stiffness of rigid regions, beside that of the search. Chosen by hand.
-constexpr double finalStiffness = 100;
-constexpr int settlingSteps = 30;  // Newton steps; chosen by hand
-constexpr int mostRounds = 3;      // of cutting out what bends, or bends after that
+// Numbers in this file without another source were chosen by hand.
+
+//! Factor on the stiffness of rigid regions, beside that of the search.
+AUTOCUTS_CONSTANT(double, finalStiffness, 100);
+AUTOCUTS_CONSTANT(int, settlingSteps, 30); // Newton steps
+constexpr int mostRounds = 3;              // of cutting out what bends, or bends after that
 constexpr double atRest = 1e-9;    // energy of a triangle that has its shape, above that of an isometry
-constexpr int settlingMoves = 100; // large moves when seams have to be opened; chosen by hand
+constexpr int settlingMoves = 100; // large moves when seams have to be opened
 
 bool any(const std::vector<bool> &flags)
 {

@@ -1,5 +1,6 @@
 #include "solver/definite/stitching.h"
 
+#include "solver/base/constant.h"
 #include "solver/base/cornerat.h"
 #include "solver/base/rigidfit.h"
 #include "solver/base/springladder.h"
@@ -16,17 +17,18 @@ namespace autocuts::definite {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Pairs with a smaller separation are stitched (paper, section 4: 0.5).
 constexpr double stitchSeparation = 0.5;
-//! Least UV area of a triangle after merging, as a share of its area at rest. Chosen by hand; no measurement
-//! of its effect is recorded.
+//! Least UV area of a triangle after merging, as a share of its area at rest.
 constexpr double smallestStitchedDeterminant = 1e-6;
 //! With a delta far greater than any squared distance the separation is a plain spring.
 constexpr double springDelta = 1e6;
-constexpr double firstSpring = 0.3;
-constexpr int springLevels = 5; // stiffness 0.3, 3, ... 3000; ladder and steps from the prototype
-constexpr int stepsPerSpring = 4;
-//! Least relative change of the energy. Chosen by hand; no measurement of its effect is recorded.
+AUTOCUTS_CONSTANT(double, firstSpring, 0.3);
+constexpr int springLevels = 5; // stiffness 0.3, 3, ... 3000
+AUTOCUTS_CONSTANT(int, stepsPerSpring, 4);
+//! Least relative change of the energy.
 constexpr double stall = 1e-7;
 constexpr double isometry = 4;
 
@@ -81,7 +83,7 @@ private:
     {
         for (Pin &pin : pins) {
             if (pin.hard)
-                // Far stiffer than the distortion. Chosen by hand; no measurement of its effect is recorded.
+                // Far stiffer than the distortion.
                 pin.weight = 1e4;
         }
         return pins;
@@ -211,7 +213,7 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &give
         if (!release(mesh, snapshot, bad, rings, false, cut) &&
             !release(mesh, snapshot, bad, rings, true, cut)) {
             layOut(*soup, bad, snapshot, x);
-            // A guard against endless rounds; chosen by hand.
+            // A guard against endless rounds.
             if (round > 50)
                 throw std::runtime_error("a polygon cannot be laid flat");
         }

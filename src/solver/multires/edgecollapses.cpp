@@ -1,5 +1,7 @@
 #include "solver/multires/edgecollapses.h"
 
+#include "solver/base/constant.h"
+
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
@@ -17,7 +19,7 @@ namespace autocuts::multires {
 namespace {
 
 //! Least cosine of the angle by which a collapse may rotate a triangle. This limit and the four below were
-//! chosen by hand; no measurement of their effect is recorded.
+//! chosen by hand.
 constexpr double smallestTurn = 0.3;
 //! Least area of a triangle over its squared longest edge; 0.43 in an equilateral one.
 constexpr double thinnest = 0.02;
@@ -25,7 +27,7 @@ constexpr double thinnest = 0.02;
 constexpr int largestFan = 14;
 //! Weight of squared edge lengths compared with squared distances to planes: keeps triangles regular in flat
 //! regions.
-constexpr double evenness = 2e-3;
+AUTOCUTS_CONSTANT(double, evenness, 2e-3);
 //! Weight of the planes that keep borders in place.
 constexpr double borderWeight = 3;
 

@@ -1,5 +1,7 @@
 #include "solver/multires/maprefiner.h"
 
+#include "solver/base/constant.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -10,19 +12,20 @@ namespace autocuts::multires {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Mean symmetric Dirichlet energy around a point above which its neighbours are moved to make room, and how
-//! often at most. Chosen by hand; no measurement of their effect is recorded.
-constexpr double crowded = 8;
+//! often at most.
+AUTOCUTS_CONSTANT(double, crowded, 8);
 constexpr int repairRounds = 6;
 //! Largest ratio of new to old seam cost for which straighten() moves a triangle to the other side of a seam,
-//! and the greatest symmetric Dirichlet energy that the triangle may have there. Chosen by hand; no
-//! measurement of their effect is recorded.
+//! and the greatest symmetric Dirichlet energy that the triangle may have there.
 constexpr double straighter = 0.97;
 constexpr double roomy = 10;
 //! Most passes of straightening seams and number of passes of relaxing points, each time the triangles have
-//! doubled. Chosen by hand; no measurement of their effect is recorded.
+//! doubled.
 constexpr int straightenPasses = 20;
-constexpr int sweepsPerLevel = 3;
+AUTOCUTS_CONSTANT(int, sweepsPerLevel, 3);
 
 } // namespace
 
@@ -215,7 +218,7 @@ Vec2 MapRefiner::placeIn(const Sector &sector, const Comeback &back, bool &good)
     const int begin = fan[sector.begin], end = fan[sector.end - 1];
     const auto share = [&](const Vec3 &far) {
         const double near = (removed3 - kept3).norm(), rest = (removed3 - far).norm();
-        // Not too near to either end. Chosen by hand; no measurement of its effect is recorded.
+        // Not too near to either end.
         return near + rest > 0 ? std::clamp(near / (near + rest), 0.05, 0.95) : 0.5;
     };
     if (sector.hasFirst && sector.hasLast)

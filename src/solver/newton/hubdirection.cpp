@@ -11,6 +11,7 @@
 // hub, six times fewer than the soup has. z = M^-1 r is computed as y = S^-1 r,
 // A u = sum of k y, z = y + S^-1 D u. S is refreshed at every call. A and the grouping are kept until the
 // iterations become slow: any symmetric positive definite A gives a valid preconditioner.
+#include "solver/base/constant.h"
 #include "solver/linear/cholmodsolver.h"
 #include "solver/linear/frontalsolver.h"
 #include "solver/newton/hubgroups.h"
@@ -25,21 +26,22 @@ namespace autocuts::newton {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! The iterations end when the residual is below this share of the gradient, which takes 2 to 4 of them.
-//! Measured with the prototype: for equal numbers of steps slightly worse than exact Newton; with 13 to 20
-//! steps per delta better, and still 11 to 26 times cheaper.
-constexpr double residualTolerance = 0.3;
-//! Chosen by hand; no measurement of its effect is recorded.
-constexpr int maxIterations = 60;
+//! Measured on the first meshes (docs/constants.md): for equal numbers of steps slightly worse than exact
+//! Newton; with 13 to 20 steps per delta better, and still 11 to 26 times cheaper.
+AUTOCUTS_CONSTANT(double, residualTolerance, 0.3);
+constexpr int maxIterations = 60; // a guard
 //! From iteration `lateIteration` on, the iterations also end when the last one lowered the quadratic model
 //! by less than this share of the average (after Nash and Sofer 1990): the residual may stay long where
-//! little is left to gain. Both were chosen by hand; no measurement of their effect is recorded.
+//! little is left to gain.
 constexpr double leastGain = 0.4;
 constexpr int lateIteration = 6;
 //! The hub matrix is factorised again once the iterations, summed over the calls since the last time, exceed
-//! those of a fresh factor by this number. About 18 was found best with the prototype. On large meshes an
-//! iteration is dearer against a factorisation, because the data no longer fits into the caches: there the
-//! optimum was measured at 8, from 100,000 triangles on.
+//! those of a fresh factor by this number. On the first meshes 18 was best. On large meshes an iteration is
+//! dearer against a factorisation, because the data no longer fits into the caches: there the optimum was
+//! measured at 8, from 100,000 triangles on.
 constexpr int excessBeforeRefresh = 18;
 constexpr int excessBeforeRefreshLarge = 8;
 constexpr int largeTriangleCount = 100000;
@@ -241,7 +243,7 @@ private:
             mAnalyzed = true;
         }
         // Small relative to the mean diagonal entry; a hundred times more after each failure, with CHOLMOD
-        // from the third attempt on. Chosen by hand; no measurement of its effect is recorded.
+        // from the third attempt on.
         double shift = 1e-7 * mMatrix.matrix().diagonal().mean();
         for (int attempt = 0; attempt < 9; ++attempt, shift *= 100) {
             mMatrix.addToDiagonal(shift);

@@ -1,10 +1,21 @@
 #include "solver/packing/compaction.h"
 
+#include "solver/base/constant.h"
 #include "solver/base/segmentcrossing.h"
 
 #include <algorithm>
 
 namespace autocuts::packing {
+
+namespace {
+
+//! Share by which compactLayout() lets the scale grow at first, and the share at which it ends; in between
+//! the share is halved when islands meet.
+AUTOCUTS_CONSTANT(double, firstStep, 3e-3);
+constexpr double smallestStep = 2e-4;
+constexpr int sweeps = 60; // over the contacts of islands in each step
+
+} // namespace
 
 Compaction::Compaction(const PackProblem &problem, Layout layout)
     : mProblem(&problem), mLayout(std::move(layout)), mBodies(problem.count())
@@ -198,10 +209,6 @@ bool Compaction::resolve(int sweeps, WorkMeter &work)
 
 Layout compactLayout(const PackProblem &problem, const Layout &layout, double ceiling, WorkMeter &work)
 {
-    // Growth per step. The first is the prototype's; its compaction gained 0.3 to 2.5 % of scale on many
-    // islands and 2 to 5 % on few. The others were chosen by hand, not measured.
-    constexpr double firstStep = 3e-3, smallestStep = 2e-4;
-    constexpr int sweeps = 60;
     Layout best = layout;
     Compaction bodies(problem, best);
     for (double step = firstStep; step > smallestStep && best.scale < ceiling && !work.stop();) {

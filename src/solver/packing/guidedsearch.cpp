@@ -1,11 +1,15 @@
 #include "solver/packing/guidedsearch.h"
 
+#include "solver/base/constant.h"
+
 #include <algorithm>
 #include <numbers>
 
 namespace autocuts::packing {
 
 namespace {
+
+// Numbers in this file without another source were chosen by hand.
 
 //! Sample points on the outline: hull corners, then points along the edges, at least 0.3 spacings apart.
 std::vector<Vec2> samplePoints(const Outline &outline, double spacing)
@@ -48,7 +52,11 @@ void sortInPlane(Vec2 *begin, Vec2 *end, int leaf)
     sortInPlane(middle, end, leaf);
 }
 
-constexpr int clusterSize = 8; // sample points that are rejected together; chosen by hand, not measured
+//! Gutters between two sample points. Tuned on four island sets together with the raster's safety, see
+//! README.md; 1.5 before.
+AUTOCUTS_CONSTANT(double, sampleSpacing, 2.5);
+AUTOCUTS_CONSTANT(int, randomPoses, 24); // that are tried for an island in each pass
+constexpr int clusterSize = 8;           // sample points that are rejected together
 
 } // namespace
 
@@ -59,12 +67,10 @@ Separation::Separation(const PackProblem &problem, double scale, WorkMeter &work
     for (int i = 0; i < problem.count(); ++i) {
         const Outline &outline = problem.outlines[i];
         const double own = problem.scaleOf(i, scale);
-        // The sample spacing of 2.5 gutters (1.5 before) was tuned on four island sets together with the
-        // raster's safety, see README.md. The fractions of the bin's side were chosen by hand, not measured.
         const double cell = side / 400 / own;
         // The grid reaches far enough for the gutter at scales down to two thirds of this one.
         Body body{DistanceField(outline, cell, 1.5 * problem.gutter / own + 2 * cell, work), {}, {}};
-        body.samples = samplePoints(outline, std::max(2.5 * problem.gutter, side / 250) / own);
+        body.samples = samplePoints(outline, std::max(sampleSpacing * problem.gutter, side / 250) / own);
         sortInPlane(body.samples.data(), body.samples.data() + body.samples.size(), clusterSize);
         const int count = static_cast<int>(body.samples.size());
         for (int begin = 0; begin < count; begin += clusterSize) {
@@ -256,7 +262,7 @@ double Separation::descend(int body, Pose &pose, double cost, int steps, WorkMet
         const double slope = e.byPosition.squaredNorm() + turning * turning;
         if (!(slope > 0) || e.cost == 0)
             break;
-        // Polyak's step length, with the known minimum of zero; 1.1 times it, chosen by hand.
+        // Polyak's step length, with the known minimum of zero; 1.1 times it.
         const double step = 1.1 * e.cost / slope;
         now.position -= step * e.byPosition;
         now.angle -= std::clamp(step * turning / arm, -0.3, 0.3);
@@ -268,16 +274,13 @@ double Separation::descend(int body, Pose &pose, double cost, int steps, WorkMet
 
 void Separation::moveBody(int body, Random &random, WorkMeter &work)
 {
-    // Number of random poses, descent steps, and the limit of four times the least cost: chosen by hand, not
-    // measured. The prototype used 24 angles, as randomPose() does.
-    constexpr int samples = 24;
     Pose best = mLayout.poses[body];
     double least = cost(body, best, 1e300, work);
     const double before = least;
     least = descend(body, best, least, 8, work);
     std::array<std::pair<double, Pose>, 2> found{std::pair{least * 4 + 1e-9, best},
                                                  std::pair{least * 4 + 1e-9, best}};
-    for (int k = 0; k < samples && least > 0; ++k) {
+    for (int k = 0; k < randomPoses && least > 0; ++k) {
         Pose pose = randomPose(body, random);
         if (k % 3 == 0)
             pose.position =
@@ -383,7 +386,6 @@ void Separation::pass(Random &random, WorkMeter &work)
     }
     updateTotals();
     // Weights of overlapping pairs grow by 1.2 to 2 times, all others fall back towards 1 by 5 % per pass.
-    // Chosen by hand, not measured.
     const float largest = *std::max_element(mOverlap.begin(), mOverlap.end());
     for (std::size_t k = 0; k < mWeights.size(); ++k) {
         const float o = mOverlap[k];

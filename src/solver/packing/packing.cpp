@@ -1,6 +1,7 @@
 #include "solver/packing/packing.h"
 
 #include "model/plain/parallel.h"
+#include "solver/base/constant.h"
 #include "solver/packing/packsearch.h"
 #include "solver/packing/shelves.h"
 #include "solver/packing/singleisland.h"
@@ -15,6 +16,8 @@
 namespace autocuts::packing {
 
 namespace {
+
+// Numbers in this file without another source were chosen by hand.
 
 void checkSettings(const PackOptions &settings)
 {
@@ -47,8 +50,14 @@ double chooseUnit(const std::vector<PackIsland> &islands)
 }
 
 // Islands that would be this share of the bin's longer side, were so much of the bin filled, are so long that
-// they decide how large all islands are. Chosen by hand.
+// they decide how large all islands are.
 constexpr double longestSquare = 0.95, likelyFill = 0.5;
+//! Effort of each of several searches, in seconds, and their largest number. On the first sets of islands
+//! (README.md) one search hardly gained between 1 s and 10 s, while results of different searches varied by
+//! .01 to .036 of efficiency.
+AUTOCUTS_CONSTANT(double, secondsPerStart, 2.5);
+constexpr int mostStarts = 16;
+
 //! Share of the scale with long islands turned freely from which they stand along the axes all the same.
 //! Chosen by hand: a prism and a gear with long strips reach .85, a cylinder .93.
 constexpr double leastSquareScale = 0.8;
@@ -146,10 +155,6 @@ Layout largestShelves(const PackProblem &problem, WorkMeter &work)
 Layout searchFrom(const PackProblem &problem, const Layout &start, double ceiling,
                   const PackOptions &settings, const JobContext &job)
 {
-    // Chosen by hand. In the prototype one search hardly gained between 1 s and 10 s, while results of
-    // different searches varied by .01 to .036 of efficiency; hence several searches.
-    constexpr double secondsPerStart = 2.5;
-    constexpr int mostStarts = 16;
     const double wanted = settings.starts > 0 ? settings.starts : settings.effort / secondsPerStart;
     const int starts = static_cast<int>(std::clamp(wanted, 1.0, 1.0 * mostStarts));
     const double share = settings.effort / starts;

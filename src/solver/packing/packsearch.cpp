@@ -1,5 +1,6 @@
 #include "solver/packing/packsearch.h"
 
+#include "solver/base/constant.h"
 #include "solver/packing/compaction.h"
 #include "solver/packing/guidedsearch.h"
 
@@ -10,15 +11,20 @@ namespace autocuts::packing {
 
 namespace {
 
-// Where no other source is named, a number in this file was chosen by hand and its effect has not been
-// measured.
+// Numbers in this file without another source were chosen by hand.
 
-//! Ratio of two neighbouring scales of the ladder. The prototype bisected to the same 0.8 %.
-constexpr double ladderStep = 1.008;
+//! Share by which each scale of the ladder is larger than the one before.
+AUTOCUTS_CONSTANT(double, ladderGrowth, 0.008);
+const double ladderStep = 1 + ladderGrowth;
 
-//! Largest number of islands for guided local search, whose cost per pass grows with its square. The
-//! prototype used it up to 450 islands.
+//! Largest number of islands for guided local search, whose cost per pass grows with its square.
 constexpr int mostForSeparation = 600;
+
+//! Passes of guided search without progress after which a scale is given up, and the share by which the scale
+//! grows after a success at first, and at least.
+AUTOCUTS_CONSTANT(int, separationPasses, 30);
+AUTOCUTS_CONSTANT(double, firstGrowth, 0.015);
+AUTOCUTS_CONSTANT(double, leastGrowth, 0.003);
 
 struct RasterChoice
 {
@@ -28,8 +34,8 @@ struct RasterChoice
 
 //! Finer rasters for many islands, coarser ones and fewer angles when the effort would not suffice for 8
 //! layouts. The cost of a layout (14 us per island and angle at 512 pixels, growing with the 1.35th power of
-//! the resolution, on one core) and the usual 512 pixels and 8 angles are the prototype's. It found that many
-//! small islands need more pixels, not more angles.
+//! the resolution, on one core) and the usual 512 pixels and 8 angles were found on the first sets of islands
+//! (README.md). Many small islands need more pixels, not more angles.
 RasterChoice chooseRaster(int islands, double effort)
 {
     const auto seconds = [&](const RasterChoice &c) {
@@ -113,9 +119,9 @@ std::vector<int> PackSearch::randomOrder(double noise)
 
 std::optional<Layout> PackSearch::construct(BottomLeft &packer, double scale, bool first, WorkMeter &work)
 {
-    // The noise of the order is the prototype's. The smaller safety was tuned on four island sets together
-    // with the sample spacing of guidedsearch.cpp, see README.md; it was 0.3 before. The larger one makes
-    // disjoint pixels a proof of the gutter.
+    // The noise of the order was found on the first sets of islands (README.md). The smaller safety was tuned
+    // on four island sets together with the sample spacing of guidedsearch.cpp; it was 0.3 before. The larger
+    // one makes disjoint pixels a proof of the gutter.
     const std::vector<int> order = randomOrder(first ? 0 : 0.3);
     const double blend = first ? 0.5 : mRandom.uniform();
     for (const double safety : {0.6, 0.72}) {
@@ -182,11 +188,10 @@ std::optional<Layout> PackSearch::pushApart(const Layout &layout, WorkMeter &wor
 
 std::optional<Layout> PackSearch::separate(Separation &separation, const Layout &layout, WorkMeter &work)
 {
-    constexpr int patience = 30; // passes without progress
     if (!separation.start(layout, work))
         return std::nullopt;
     double least = std::numeric_limits<double>::infinity(), tried = least;
-    for (int idle = 0; idle < patience && !work.stop(); ++idle) {
+    for (int idle = 0; idle < separationPasses && !work.stop(); ++idle) {
         separation.pass(mRandom, work);
         if (separation.overlap() < 0.98 * least) {
             least = separation.overlap();
@@ -207,7 +212,6 @@ std::optional<Layout> PackSearch::separate(Separation &separation, const Layout 
 void PackSearch::separateAndGrow(WorkMeter &work)
 {
     constexpr int patience = 100;
-    constexpr double firstGrowth = 0.015, leastGrowth = 0.003;
     Separation separation(mProblem, mBest.scale, work);
     double growth = firstGrowth;
     for (int failures = 0; failures < patience && !work.stop() && !atCeiling(); ++failures) {

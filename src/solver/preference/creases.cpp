@@ -1,6 +1,7 @@
 #include "solver/preference/creases.h"
 
 #include "model/plain/polygon.h"
+#include "solver/base/constant.h"
 
 #include <Eigen/Geometry>
 
@@ -12,13 +13,15 @@ namespace autocuts::preference {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 constexpr double degree = std::numbers::pi / 180;
-//! What counts as smooth, and the largest share of rough edges around a crease, see creases(). Chosen by
-//! hand; no measurement of their effect is recorded.
+//! What counts as smooth, and the largest share of rough edges around a crease, see creases().
 constexpr double smoothAngle = 15 * degree;
 constexpr double roughShare = 0.2; // of the edges around a crease
-//! The cost factor falls between these angles. Chosen by hand; no measurement of their effect is recorded.
-constexpr double rampBegin = 20 * degree, rampEnd = 60 * degree;
+//! The cost factor falls between these angles.
+AUTOCUTS_CONSTANT(double, rampBegin, 20 * degree);
+AUTOCUTS_CONSTANT(double, rampEnd, 60 * degree);
 constexpr double leastFactor = 1e-3; // a seam always costs something
 
 //! Of rough surfaces, see isRough(). Measured on meshes of so many triangles: half of the edges (by length)

@@ -1,5 +1,6 @@
 #include "solver/preference/seampreference.h"
 
+#include "solver/base/constant.h"
 #include "solver/preference/creases.h"
 #include "solver/preference/openness.h"
 #include "solver/preference/surfacekind.h"
@@ -12,17 +13,19 @@ namespace autocuts::preference {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! At full strength a fully open edge costs e^3 (about 20) times as much as a hidden one: natural logarithm
-//! of that ratio. Chosen by hand; no measurement of its effect is recorded.
-constexpr double visibilityRange = 3;
+//! of that ratio.
+AUTOCUTS_CONSTANT(double, visibilityRange, 3);
 
 //! Factor on the cost of a seam inside of a flat region: nobody tears a flat face. Measured in standard:
 //! with 1.5 the faces of plate stay whole, seams inside of those of truck are a quarter as long, and gear has
 //! shorter seams, too. With 1.35 truck keeps longer seams, with 2.5 gear does.
-constexpr double tearFactor = 1.5;
+AUTOCUTS_CONSTANT(double, tearFactor, 1.5);
 constexpr double flatAngle = 0.0175; // one degree, twice what rigid regions allow: room for rounding
 
-//! Share of the area from which a mesh that is judged as a whole is like these parts. Chosen by hand.
+//! Share of the area from which a mesh that is judged as a whole is like these parts.
 constexpr double mostOfIt = 0.5;
 
 //! Share of the area from which the flat regions of a rough surface are no accident. Measured: up to .092 on

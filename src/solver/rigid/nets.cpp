@@ -1,6 +1,7 @@
 #include "solver/rigid/nets.h"
 
 #include "model/plain/unionfind.h"
+#include "solver/base/constant.h"
 #include "solver/base/cornerat.h"
 #include "solver/base/random.h"
 #include "solver/overlap/overlapfinder.h"
@@ -14,18 +15,20 @@ namespace autocuts::rigid {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Overlaps that count, as shares of the whole area: anywhere, and (of the smaller triangle) between
 //! triangles that meet in a point of the model, where the two sides of a hinge differ by rounding.
 constexpr double overlapShare = 1e-10, touchingShare = 1e-5;
-//! The latter beside curved regions, whose borders do not quite fit. Chosen by hand.
-constexpr double gapShare = 0.2;
+//! The latter beside curved regions, whose borders do not quite fit.
+AUTOCUTS_CONSTANT(double, gapShare, 0.2);
 //! Energy of a triangle above that of an isometry, where its region is laid in the plane, from which it does
 //! not keep its shape.
-constexpr double mostExcess = 0.1;
+AUTOCUTS_CONSTANT(double, mostExcess, 0.1);
 //! Mean energy of a chart above that of an isometry up to which it joins nets. Chosen by hand: .02 and .3
 //! make little difference.
-constexpr double nearlyIsometric = 0.1;
-constexpr double noise = 0.5; // of the costs, natural logarithm; chosen by hand
+AUTOCUTS_CONSTANT(double, nearlyIsometric, 0.1);
+constexpr double noise = 0.5; // of the costs, natural logarithm
 
 //! Which side of an edge belongs to the first region of a hinge.
 int firstSide(const MeshData &mesh, const RigidRegions &regions, const Hinge &hinge, int edge)

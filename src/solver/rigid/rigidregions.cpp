@@ -1,5 +1,6 @@
 #include "solver/rigid/rigidregions.h"
 
+#include "solver/base/constant.h"
 #include "solver/rigid/surfaceshape.h"
 
 #include <Eigen/Geometry>
@@ -26,8 +27,10 @@ constexpr double leastArea = 2e-4, leastPart = 0.01;
 //! Components that have less than this share of the largest one's area are dust: nobody sees their shape.
 constexpr double dust = 1e-4;
 constexpr double leastSharp = 0.5; // share of the border
-constexpr double largeFace = 20; // area of a flat region beside the mean polygon, from which soft borders do
-constexpr double leastSoftArea = 5e-3; // the same as a share of the mesh's area
+//! Area of a flat region beside the mean polygon from which soft borders do; the same as a share of the
+//! mesh's area.
+AUTOCUTS_CONSTANT(double, largeFace, 20);
+constexpr double leastSoftArea = 5e-3;
 //! Thin triangles belong to a plane when their corners lie in it. Share of the mesh's size.
 constexpr double planeDistance = 2e-6;
 //! A developable region with smooth borders needs this many inner vertices without defect, and this share of
@@ -38,7 +41,7 @@ constexpr double leastSmoothArea = 0.01;
 //! A connected component is made of flat faces, or what unrolls, when these have this share of its area. In
 //! others only clear caps keep their shape: of many triangles or much larger than the polygons around, with a
 //! sharp border.
-constexpr double hardShare = 0.43;
+AUTOCUTS_CONSTANT(double, hardShare, 0.43);
 constexpr double clearBorder = 0.6;
 constexpr int capTriangles = 6;
 //! Share of sharp border with which a developable ring without inner vertices needs no creases.

@@ -1,5 +1,6 @@
 #include "solver/rigid/stiffregions.h"
 
+#include "solver/base/constant.h"
 #include "solver/rigid/hinges.h"
 #include "solver/rigid/rigidregions.h"
 
@@ -13,9 +14,9 @@ namespace {
 
 //! How much stiffer a region is than the rest. Where nothing else may stretch it leaves them an energy of
 //! 4 + (bound - 4) / stiffness.
-constexpr double stiffness = 100;
+AUTOCUTS_CONSTANT(double, stiffness, 100);
 //! Share of its area that a region adds to the stretch that the bound allows.
-constexpr double regionShare = 0.05;
+AUTOCUTS_CONSTANT(double, regionShare, 0.05);
 
 //! Share of the usual bound that a curved region may use up where it is laid in the plane.
 constexpr double boundShare = 0.3, usualRoom = 0.1;

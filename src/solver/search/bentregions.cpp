@@ -1,5 +1,6 @@
 #include "solver/search/bentregions.h"
 
+#include "solver/base/constant.h"
 #include "solver/search/trianglekernel.h"
 
 namespace autocuts::search {
@@ -7,7 +8,7 @@ namespace autocuts::search {
 namespace {
 
 //! Mean energy above that of an isometry. Chosen by hand.
-constexpr double lostShape = 2e-3;
+AUTOCUTS_CONSTANT(double, lostShape, 2e-3);
 
 } // namespace
 

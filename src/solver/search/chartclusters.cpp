@@ -1,6 +1,7 @@
 #include "solver/search/chartclusters.h"
 
 #include "model/plain/unionfind.h"
+#include "solver/base/constant.h"
 #include "solver/search/cutstate.h"
 
 #include <Eigen/Geometry>
@@ -14,7 +15,7 @@ namespace autocuts::search {
 namespace {
 
 //! How much more spread a cluster may get by taking in one that is too small for a chart. Chosen by hand.
-constexpr double spreadOfSmall = 10;
+AUTOCUTS_CONSTANT(double, spreadOfSmall, 10);
 
 class Clusters
 {

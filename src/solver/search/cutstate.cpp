@@ -2,6 +2,7 @@
 
 #include "model/plain/unionfind.h"
 #include "solver/base/alignedborder.h"
+#include "solver/base/constant.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/search/trianglekernel.h"
 
@@ -15,8 +16,8 @@ namespace autocuts::search {
 namespace {
 
 //! Room between charts in solver units, so that they do not meet while they unfold. The whole mesh has an
-//! area of pi. Raised from 1 to 30 when charts came to be relaxed one by one; chosen by hand, not measured.
-constexpr double chartGap = 30;
+//! area of pi. Raised from 1 to 30 when charts came to be relaxed one by one; chosen by hand.
+AUTOCUTS_CONSTANT(double, chartGap, 30);
 
 } // namespace
 

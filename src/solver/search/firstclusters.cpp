@@ -1,5 +1,6 @@
 #include "solver/search/firstclusters.h"
 
+#include "solver/base/constant.h"
 #include "solver/search/seamseeds.h"
 #include "solver/search/seamtrial.h"
 #include "solver/search/tutte.h"
@@ -16,11 +17,11 @@ namespace {
 
 //! Spread of the normals in the first clusters, see clusterSeams(), in solver units: spheres stay whole up to
 //! a twentieth of the size of the mesh.
-constexpr double firstSpread = 0.05;
-constexpr double narrower = 3; // divisor of the spread where a chart is bad
-constexpr int mostRounds = 8;  // in which bad charts are divided
-constexpr int relaxSteps = 20; // Newton steps after which a chart is judged
-constexpr double badChart = 5; // energy of a chart per area, above that of an isometry
+AUTOCUTS_CONSTANT(double, firstSpread, 0.05);
+AUTOCUTS_CONSTANT(double, narrower, 3); // divisor of the spread where a chart is bad
+constexpr int mostRounds = 8;           // in which bad charts are divided
+AUTOCUTS_CONSTANT(int, relaxSteps, 20); // Newton steps after which a chart is judged
+AUTOCUTS_CONSTANT(double, badChart, 5); // energy of a chart per area, above that of an isometry
 
 //! Relaxes the charts that have a map. \returns per chart: energy per area above that of an isometry; not
 //! finite where it has no map

@@ -9,11 +9,11 @@ namespace autocuts::search {
 
 namespace {
 
-// Chosen by hand; their effect has not been measured.
-constexpr int absorbSteps = 12;      // Newton steps per trial
-constexpr double grownShare = 1.1;   // area that a chart is grown to, relative to the least allowed area
-constexpr int edgesPerNeighbour = 6; // seam edges per neighbour from which growing is tried, about
-constexpr int mostPatch = 3000;      // triangles in the patch of a trial, at most
+// Chosen by hand.
+AUTOCUTS_CONSTANT(int, absorbSteps, 12); // Newton steps per trial
+constexpr double grownShare = 1.1;       // area that a chart is grown to, relative to the least allowed area
+AUTOCUTS_CONSTANT(int, edgesPerNeighbour, 6); // seam edges per neighbour from which growing is tried, about
+constexpr int mostPatch = 3000;               // triangles in the patch of a trial, at most
 constexpr double anyGain = -std::numeric_limits<double>::infinity();
 //! Energy that a join may cost where rigid regions keep their shape: to lose it costs more.
 constexpr double leastRigidGain = -0.02;

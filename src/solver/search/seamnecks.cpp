@@ -1,6 +1,7 @@
 #include "solver/search/seamnecks.h"
 
 #include "solver/base/alignedborder.h"
+#include "solver/base/constant.h"
 #include "solver/search/shortestpaths.h"
 
 #include <algorithm>
@@ -15,9 +16,9 @@ namespace autocuts::search {
 namespace {
 
 // Chosen by hand, by looking at maps of machines and vehicles.
-constexpr double longest = 0.6;         //!< neck, as a share of the square root of the island's area
-constexpr double inwards = -0.17;       //!< turn of the border where a neck begins, radians
-constexpr std::size_t mostStarts = 300; //!< points at which necks of a loop are looked for
+AUTOCUTS_CONSTANT(double, longest, 0.6); //!< neck, as a share of the square root of the island's area
+constexpr double inwards = -0.17;        //!< turn of the border where a neck begins, radians
+constexpr std::size_t mostStarts = 300;  //!< points at which necks of a loop are looked for
 
 int nextSide(int side)
 {

@@ -1,6 +1,7 @@
 #include "solver/search/seamoptimizer.h"
 
 #include "model/plain/parallel.h"
+#include "solver/base/constant.h"
 #include "solver/search/firstclusters.h"
 #include "solver/search/seamseeds.h"
 #include "solver/search/tutte.h"
@@ -13,14 +14,14 @@ namespace autocuts::search {
 
 namespace {
 
-// Where no other source is named, a number below was chosen by hand and its effect has not been measured.
+// Numbers in this file without another source were chosen by hand.
 
-//! Range of SeedOptions::shrinkage over the first cuts. The prototype used 0.7 alone. Large values give few
-//! cuts, which suits round shapes best; long limbs shrink so much that they get a cut at any value.
+//! Range of SeedOptions::shrinkage over the first cuts. Large values give few cuts, which suits round shapes
+//! best; long limbs shrink so much that they get a cut at any value.
 constexpr double leastShrinkage = 0.7, mostShrinkage = 5;
 //! The map without cuts is given up when its energy is this far above the bound after twenty Newton steps.
 //! (That of alligator, which is flat, is at 204 after ten and at 4 after twenty.)
-constexpr double hopelessExcess = 1;
+AUTOCUTS_CONSTANT(double, hopelessExcess, 1);
 constexpr int tensOfSteps = 2;
 //! Other first cuts that are tried in place of one whose map folds or overlaps; a long limb may do so for
 //! single seeds.
@@ -31,15 +32,15 @@ constexpr double worthTelling = 0.7;
 //! promising one does, counted as leastCost or more. Measured in standard on 27 meshes: runs of up to 22
 //! times the cost became the best. The maps stay the same, and gear and truck take half of the time: the
 //! dearest first maps are those in which the search opens most seams.
-constexpr double hopelessTimes = 50;
+AUTOCUTS_CONSTANT(double, hopelessTimes, 50);
 //! The same for a run that has been searched. Measured in standard on 32 meshes: all maps stay the same but
 //! for that of a machine of 46 parts, where such runs took more than half of the time.
-constexpr double hopelessLater = 5;
+AUTOCUTS_CONSTANT(double, hopelessLater, 5);
 constexpr double leastCost = 1;
 //! Runs that were given up and are taken to the bound after all, at most; and the share of the best map's
 //! score below which their expected cost has to be.
 constexpr int mostChances = 3;
-constexpr double worthChance = 0.95;
+AUTOCUTS_CONSTANT(double, worthChance, 0.95);
 
 //! The state itself; nothing when charts overlap themselves and that is not allowed, or when stopped.
 std::optional<CutState> usable(CutState state, const OptimizeOptions &options)

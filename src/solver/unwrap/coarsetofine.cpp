@@ -1,5 +1,6 @@
 #include "solver/unwrap/coarsetofine.h"
 
+#include "solver/base/constant.h"
 #include "solver/base/cornerat.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
@@ -21,14 +22,14 @@ namespace autocuts::unwrap {
 
 namespace {
 
-// Where no measurement is named, chosen by hand; their effect has not been measured.
+// Numbers in this file without another source were chosen by hand.
 
 //! Meshes of more triangles than this are coarsened first.
 constexpr int largeMesh = 25'000;
 //! The same in drafts; just below a number to which meshes are often reduced. Measured on 23 meshes of 10,000
 //! to 24,000 triangles: against a draft of the mesh itself, seams are .92 times as long (.66 to 1.26) in .60
 //! of the CPU time.
-constexpr int largeForDrafts = 9'990;
+AUTOCUTS_CONSTANT(int, largeForDrafts, 9'990);
 //! Share of hard surface from which drafts of such meshes do not: regions that are flat on the coarse mesh
 //! are not quite those of the fine one. Measured: on a plate with holes .90 of the flat area kept its shape,
 //! in place of all.
@@ -37,26 +38,27 @@ constexpr double hardlyHard = 0.1;
 constexpr double leastReduction = 0.6;
 //! Bounds for the coarse map, as shares of (bound - 4). The distortion of the fine map usually gets lower,
 //! because a finer mesh can bend more freely. The second share is tried when the fine map misses the bound.
-constexpr double coarseShares[] = {1.4, 0.9};
-constexpr int fineSteps = 30; // relaxation steps on the fine mesh, at most
+AUTOCUTS_CONSTANT(double, firstCoarseShare, 1.4);
+const double coarseShares[] = {firstCoarseShare, 0.9};
+AUTOCUTS_CONSTANT(int, fineSteps, 30); // relaxation steps on the fine mesh, at most
 //! The same for charts that would overlap themselves. Measured: with 30 steps, D of lucy_o_f48275 is 4.0870
 //! in place of 4.0890, that of three others is the same.
-constexpr int guardedSteps = 15;
+AUTOCUTS_CONSTANT(int, guardedSteps, 15);
 //! Share of the energy above that of an isometry that a step gains at least. Measured on a noisy shape of
 //! 86,000 triangles: 5 steps in place of 13, D 4.0911 in place of 4.0907.
-constexpr double leastGain = 1e-3;
+AUTOCUTS_CONSTANT(double, leastGain, 1e-3);
 //! The same in a hurry. Measured: 4 steps took a mesh of 124,000 triangles from 4.217 to below 4.1.
 constexpr int hurriedSteps = 5;
-//! Steps of relaxing after which a map is shown to CoarseSearch::relaxing. Chosen by hand.
+//! Steps of relaxing after which a map is shown to CoarseSearch::relaxing.
 constexpr int stepsBetween = 5;
 
 //! Energy of a triangle from which refining has found no place for it. It becomes a chart of its own: it
-//! would stop the steps of all others. Chosen by hand.
+//! would stop the steps of all others.
 constexpr double lostEnergy = 1e6;
 //! Multiple of the stretch allowed up to which a map of the fine mesh is taken to the bound, by more seams or
 //! by shorter ones. Measured: from three times as much, that takes as long as the map itself; from 300 times
 //! it took three times as long, in vain.
-constexpr double worthTaking = 4;
+AUTOCUTS_CONSTANT(double, worthTaking, 4);
 //! The effort of that. Measured in drafts of 6 meshes of 12,000 to 124,000 triangles: against no squeezes and
 //! 16 moves, seams are .93 times as long (.86 to .98) in the same CPU time; in standard .95 and .86 times on
 //! two.

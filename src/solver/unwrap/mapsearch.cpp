@@ -1,5 +1,6 @@
 #include "solver/unwrap/mapsearch.h"
 
+#include "solver/base/constant.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
 #include "solver/definite/rigidsettling.h"
@@ -18,29 +19,37 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! Smaller meshes get another effort. Chosen by hand, not measured.
-constexpr double fullEffortTriangles = 2000;
+// Numbers in this file without another source were chosen by hand.
 
-//! Effort on a mesh of fullEffortTriangles or more. The rounds were chosen by hand; no comparison with
-//! other plans is on record. Measured for the whole unwrap: seams in standard and best are .794 and .771
-//! times as long as those of OptCuts on 14 meshes used in development (in 1/5.4 and 1/1.9 of its CPU time),
-//! and .854 and .834 times as long on 18 other meshes; in draft .97 times as long on 14 meshes (.77 to 1.14).
+//! Smaller meshes get another effort.
+AUTOCUTS_CONSTANT(double, fullEffortTriangles, 2000);
+
+//! Large moves, first cuts and squeezes of fullEffort().
+AUTOCUTS_CONSTANT(int, draftMoves, 25);
+AUTOCUTS_CONSTANT(int, standardStarts, 10);
+AUTOCUTS_CONSTANT(int, standardMoves, 1300);
+AUTOCUTS_CONSTANT(int, standardSqueezes, 10);
+
+//! Effort on a mesh of fullEffortTriangles or more. Measured for the whole unwrap: seams in standard and best
+//! are .794 and .771 times as long as those of OptCuts on 14 meshes used in development (in 1/5.4 and 1/1.9
+//! of its CPU time), and .854 and .834 times as long on 18 other meshes; in draft .97 times as long on 14
+//! meshes (.77 to 1.14).
 search::OptimizeEffort fullEffort(UnwrapQuality quality)
 {
     switch (quality) {
     case UnwrapQuality::Draft:
-        return {1, {{0, 1}, {25, 1}}, 0, 0.5, 64};
+        return {1, {{0, 1}, {draftMoves, 1}}, 0, 0.5, 64};
     case UnwrapQuality::Standard:
-        return {10, {{80, 5}, {200, 2}, {1300, 1}}, 10};
+        return {standardStarts, {{80, 5}, {200, 2}, {standardMoves, 1}}, standardSqueezes};
     case UnwrapQuality::Best:
         return {24, {{100, 12}, {300, 6}, {800, 3}, {2000, 1}}, 10};
     }
     throw std::invalid_argument("unknown quality");
 }
 
-//! Least share of the distortion in the energy, for lambda near 1. Chosen by hand.
+//! Least share of the distortion in the energy, for lambda near 1.
 constexpr double smallestShare = 1e-9;
-constexpr int settleSteps = 20; // Newton steps before hard pins are reached; chosen by hand
+constexpr int settleSteps = 20; // Newton steps before hard pins are reached
 
 //! True when a connected part of the surface has more borders or more handles than these.
 bool hasPartWithMore(int borders, int handles, const MeshData &mesh)
@@ -92,12 +101,13 @@ constexpr int manyBorders = 5, manyHandles = 5;
 //! shortens those of truck by 2 %. In drafts, nets take the plate from 10.6 to 1.5 CPU seconds, gear from 5.7
 //! to .5.)
 constexpr double hardlyRigid = 0.1;
+AUTOCUTS_CONSTANT(int, clusterMoves, 300);
 //! Effort of a draft that starts from clusters. Measured: 300 moves and 5 squeezes in place of 25 and none
 //! shorten the seams of beetle by 34 %, of plane_holes by 6 %, for little time.
-const search::OptimizeEffort clusterEffort{1, {{0, 1}, {300, 1}}, 5, 0.5, 64};
+const search::OptimizeEffort clusterEffort{1, {{0, 1}, {clusterMoves, 1}}, 5, 0.5, 64};
 //! Moves of a draft of a coarse version, or of a model of rigid regions, in place of 25. Measured: seams of
 //! 12 fine meshes get .96 times as long, in 1.1 times the CPU time; those of wingnut .81 times, in 1.1 times.
-constexpr int cheapMoves = 200;
+AUTOCUTS_CONSTANT(int, cheapMoves, 200);
 
 //! \returns nothing also when the mesh is too odd for the soup, such as one of very mixed scales
 std::optional<Candidate> bySoupChains(const Snapshot &snapshot, const UnwrapOptions &options, bool hurried,
@@ -249,7 +259,6 @@ private:
     //! True when a draft starts from clusters. Drafts of small meshes do not: from the soup they find shorter
     //! seams, on torus_with_holes by 21 % in the same time. Nor do those of tangled meshes: on generated ones
     //! with 30 to 40 % of such edges the soup's cuts are two thirds as long, and clusters missed the bound.
-    //! Standard has not been measured.
     bool suitsClusters() const
     {
         return isDraft() && !mOptions.lambda && isUnsteered(mSnapshot) && !isPartlyRigid(mSnapshot) &&

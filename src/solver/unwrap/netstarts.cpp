@@ -1,5 +1,6 @@
 #include "solver/unwrap/netstarts.h"
 
+#include "solver/base/constant.h"
 #include "solver/rigid/nets.h"
 #include "solver/search/firstclusters.h"
 #include "solver/search/seamseeds.h"
@@ -13,7 +14,7 @@ namespace autocuts::unwrap {
 namespace {
 
 //! Share of the area in rigid regions from which nets are better first maps than few cuts. Chosen by hand.
-constexpr double mostlyRigid = 0.95;
+AUTOCUTS_CONSTANT(double, mostlyRigid, 0.95);
 
 //! The graph with seams at the borders of all rigid regions.
 std::shared_ptr<const search::SeamGraph> separated(const search::SeamGraph &graph, const Snapshot &snapshot)

