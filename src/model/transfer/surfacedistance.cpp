@@ -10,9 +10,11 @@ namespace autocuts::transfer {
 
 namespace {
 
-//! So many vertices tell. Chosen by hand.
+// Numbers in this file without another source were chosen by hand.
+
+//! So many vertices tell.
 constexpr int mostVertices = 20'000;
-//! The others may be spikes or faults. Chosen by hand.
+//! The others may be spikes or faults.
 constexpr double nearlyAll = 0.999;
 
 SurfaceTree treeOf(const MeshData &mesh)
@@ -60,7 +62,7 @@ std::optional<double> surfaceDistance(const MeshData &a, const MeshData &b, doub
 
 std::optional<double> proposedCage(const MeshData &low, const MeshData &high, const std::atomic<bool> &stop)
 {
-    constexpr double farthest = 0.2, least = 0.001, room = 1.5; // chosen by hand
+    constexpr double farthest = 0.2, least = 0.001, room = 1.5;
     const double size = low.report.boxDiagonal;
     const std::optional<double> distance = surfaceDistance(low, high, farthest * size, stop);
     if (!distance || !(size > 0))

@@ -9,7 +9,7 @@ namespace autocuts::transfer {
 
 namespace {
 
-// Chosen by hand; no measurement of their effect is recorded.
+// Chosen by hand.
 constexpr int leafSize = 4;
 constexpr double facingCosine = 0.17; // about 80 degrees
 constexpr int deepest = 64;           // size of the stack; each level halves the triangles

@@ -13,7 +13,7 @@ namespace {
 
 //! Stand-in shape of a triangle without area: its height relative to its longest edge; the longest edge
 //! relative to the mean edge when all corners coincide; and its weight relative to a triangle of its area.
-//! Chosen by hand; no measurement of its effect is recorded.
+//! Chosen by hand.
 constexpr double standInHeight = 1e-3;
 constexpr double standInEdge = 1e-3;
 constexpr double standInWeight = 1e-3;

@@ -14,8 +14,10 @@ namespace autocuts::definite {
 
 namespace {
 
-constexpr double densityReserve = 0.01; // share of the distortion above 4, chosen by hand, not measured
-constexpr int joinWork = 500'000;       // tries times triangles, chosen by hand, not measured
+// Numbers in this file without another source were chosen by hand.
+
+constexpr double densityReserve = 0.01; // share of the distortion above 4
+constexpr int joinWork = 500'000;       // tries times triangles
 
 //! Relaxes a map. Unless overlaps are allowed, the map stays as it was when every relaxation makes a chart
 //! overlap itself.

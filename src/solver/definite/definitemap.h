@@ -12,8 +12,7 @@ namespace autocuts::definite {
 
 struct DefiniteMapOptions
 {
-    //! 4.1 is the default bound of OptCuts (Li et al. 2018). The cost per length was chosen by hand; no
-    //! measurement of its effect is recorded.
+    //! 4.1 is the default bound of OptCuts (Li et al. 2018). The cost per length was chosen by hand.
     double maxDistortion = 4.1; //!< bound on the mean distortion when seams are closed; may be infinite
     double costPerLength = 0.1; //!< most distortion per length of seam closed, solver units
     bool allowOverlaps = false;

@@ -12,13 +12,13 @@ namespace autocuts::definite {
 
 namespace {
 
-//! Distance below which two places of a boundary repel each other, in mean edge lengths. Chosen by hand; no
-//! measurement of its effect is recorded.
+// Numbers in this file without another source were chosen by hand.
+
+//! Distance below which two places of a boundary repel each other, in mean edge lengths.
 constexpr double barrierReach = 0.1;
-//! Weight of one contact relative to that of a mean triangle. Chosen by hand; no measurement of its effect is
-//! recorded.
+//! Weight of one contact relative to that of a mean triangle.
 constexpr double barrierWeight = 0.05;
-//! Least relative change of the energy. Chosen by hand; no measurement of its effect is recorded.
+//! Least relative change of the energy.
 constexpr double stall = 1e-6;
 
 } // namespace

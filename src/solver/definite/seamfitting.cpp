@@ -8,6 +8,8 @@ namespace autocuts::definite {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Two sides lie on each other when they are at most this far apart, as a share of their length, and may
 //! belong together up to the second distance. The first was chosen by hand, the second is that of
 //! chartjoining.
@@ -15,12 +17,12 @@ constexpr double sewnDistance = 0.05, looseDistance = 0.6;
 //! Sides that were one are at most this far apart, as a share of their length, in files of 32-bit numbers
 //! too.
 constexpr double exactDistance = 1e-4;
-//! How many edges of a seam, about, are asked for the similarity of which they are exact. Chosen by hand.
+//! How many edges of a seam, about, are asked for the similarity of which they are exact.
 constexpr std::size_t mostSamples = 50;
-//! Fewer edges, or less of the length of a seam, fit anywhere. Chosen by hand.
+//! Fewer edges, or less of the length of a seam, fit anywhere.
 constexpr std::size_t fewestToFit = 3;
 constexpr double leastShareToFit = 0.25;
-//! How often the worst third of the edges is left out. Chosen by hand.
+//! How often the worst third of the edges is left out.
 constexpr int rounds = 5;
 
 double lengthOf(const std::vector<EdgeMatch> &edges, const std::vector<int> &some)

@@ -12,7 +12,7 @@ namespace {
 
 //! Width of a gap in mean edge lengths, and its least width relative to the diagonal of the map: ten times
 //! the distance (a millionth of the diagonal) below which readers of UVs merge corners. The first was chosen
-//! by hand; no measurement of its effect is recorded.
+//! by hand.
 constexpr double gapOfEdge = 1e-3;
 constexpr double gapOfMap = 1e-5;
 

@@ -17,16 +17,16 @@ namespace autocuts::definite {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Least area of each triangle after its corners were brought together, as a share of its area before, and
 //! after a relaxation, as a share of its area at rest. The first as in chartjoining, the second as in
 //! localsolve.
 constexpr double smallestShare = 0.05;
 constexpr double smallestSewnDeterminant = 1e-4;
-//! Rings of faces around the seam that are relaxed; more when fewer do not do. Chosen by hand; no measurement
-//! of their effect is recorded.
+//! Rings of faces around the seam that are relaxed; more when fewer do not do.
 constexpr int rings[] = {4, 12, 40};
-//! The two sides fit when closing the seam raises the distortion by no more than this share. Chosen by
-//! hand; no measurement of its effect is recorded.
+//! The two sides fit when closing the seam raises the distortion by no more than this share.
 constexpr double fitTolerance = 1e-3;
 //! A place other than that of the side that stays must be better by this share.
 constexpr double gain = 1e-6;

@@ -30,8 +30,7 @@ double PinTerm::addDerivatives(std::span<const double> x, std::span<double> grad
 
 namespace {
 
-//! How many times stiffer a hard rectangle is than a soft one. Chosen by hand; no measurement of its effect
-//! is recorded.
+//! How many times stiffer a hard rectangle is than a soft one. Chosen by hand.
 constexpr double hardBoxFactor = 100;
 
 //! Signed distance outside [lower, upper]: negative below, positive above, 0 inside.

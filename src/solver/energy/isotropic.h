@@ -44,7 +44,7 @@ struct SymmetricDirichletDensity
 //! Conformal AMIPS (Fu, Liu and Guo 2015): 4 exp(c + a - 1) with c = (s1/s2 + s2/s1) / 2 weighted 0.8 and the
 //! area term a = (s1 s2 + 1 / (s1 s2)) / 2 weighted 0.2, so that shape counts four times as much as size.
 //! Some area term is needed: without it the separation would shrink every triangle to a point. 4 at an
-//! isometry. The two weights were chosen by hand; no measurement of their effect is recorded.
+//! isometry. The two weights were chosen by hand.
 struct AmipsDensity
 {
     static constexpr double shape = 0.8;

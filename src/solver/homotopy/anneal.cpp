@@ -16,7 +16,7 @@ std::vector<double> deltaLevels(const Soup &soup, double start)
 
 bool hasStalled(double energyBefore, const StepResult &step)
 {
-    // Least relative change of the energy. Chosen by hand; no measurement of its effect is recorded.
+    // Least relative change of the energy. Chosen by hand.
     constexpr double stall = 1e-9;
     return step.stepLength == 0 || std::abs(energyBefore - step.energy) < stall * energyBefore;
 }

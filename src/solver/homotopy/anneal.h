@@ -9,8 +9,8 @@
 
 namespace autocuts::homotopy {
 
-//! Above this delta (mesh area pi) the separation is so smooth that lowering delta changes little: with the
-//! prototype, starting above 0.06 made no difference.
+//! Above this delta (mesh area pi) the separation is so smooth that lowering delta changes little: on the
+//! first meshes (docs/constants.md), starting above 0.06 made no difference.
 inline constexpr double smoothDelta = 0.0625;
 
 //! Parameters of a run of the homotopy.
@@ -18,7 +18,7 @@ struct AnnealOptions
 {
     double startDelta = 1; //!< about 0.01 to reheat: short, nearly closed cuts close, wide open ones stay
     double lambda = 0.05;
-    //! With the prototype of the fast step, 40 to 60 steps per level kept improving the result.
+    //! On the first meshes 40 to 60 fast steps per level kept improving the result.
     int stepsPerLevel = 40;
 };
 

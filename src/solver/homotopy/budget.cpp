@@ -7,13 +7,14 @@ namespace autocuts::homotopy {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Symmetric Dirichlet energy of an isometry.
 constexpr double isometric = 4;
 //! Share of the allowed distortion above 4 that is aimed at. The results of runs scatter; aiming a little low
-//! makes most of them end below the bound. Chosen by hand; no measurement of its effect is recorded.
+//! makes most of them end below the bound.
 constexpr double aim = 0.97;
-//! Range of lambda, and the largest factor by which one report changes it. Chosen by hand; no measurement of
-//! their effect is recorded.
+//! Range of lambda, and the largest factor by which one report changes it.
 constexpr double smallestLambda = 1e-6;
 constexpr double largestLambda = 0.5;
 constexpr double largestChange = 4;

@@ -15,7 +15,7 @@ namespace autocuts::homotopy {
 namespace {
 
 //! A triangle with a greater symmetric Dirichlet energy is placed undistorted instead of being used as a
-//! start. Chosen by hand; no measurement of its effect is recorded.
+//! start. Chosen by hand.
 constexpr double worstStartDistortion = 1e4;
 
 //! Writes triangle t undistorted, rotated by `angle`, with its centroid at `centre`.

@@ -6,21 +6,21 @@ namespace autocuts::homotopy {
 
 namespace {
 
-//! Values of the prototype. With 15 exact steps per level and lambda 0.05, reheating to 0.01 shortened the
-//! seams of the mesh "cow" from 11.7 to 6.9. 40 to 60 fast steps per level kept improving the result.
+// Numbers in this file without another source were chosen by hand.
+
+//! Found on the first meshes (docs/constants.md). With 15 exact steps per level and lambda 0.05, reheating to
+//! 0.01 shortened the seams of the mesh "cow" from 11.7 to 6.9. 40 to 60 fast steps per level kept improving
+//! the result.
 constexpr double firstLambda = 0.05;
 constexpr double reheatDelta = 0.01;
 constexpr int stepsPerLevel = 40;
-//! A round is good enough when it uses this share of the distortion above 4 that the bound allows. Chosen by
-//! hand; no measurement of its effect is recorded.
+//! A round is good enough when it uses this share of the distortion above 4 that the bound allows.
 constexpr double usedEnough = 0.85;
-//! Least and most rounds of the search for lambda. Chosen by hand; no measurement of their effect is
-//! recorded.
+//! Least and most rounds of the search for lambda.
 constexpr int fewestRounds = 2;
 constexpr int mostRounds = 8;
 //! How many rounds may follow when the best one does not keep the bound again (eight rounds alone left the
-//! sample "bumpy cube" at 4.17 for a bound of 4.1), and the factor on lambda in each. Chosen by hand; no
-//! measurement of their effect is recorded.
+//! sample "bumpy cube" at 4.17 for a bound of 4.1), and the factor on lambda in each.
 constexpr int mostRetries = 12;
 constexpr double retryFactor = 0.6;
 

@@ -18,15 +18,14 @@ namespace autocuts::homotopy {
 namespace {
 
 //! Springs that pull the points to their targets, and the steps with each; then the most steps of the
-//! relaxation and the relative change of energy at which it ends. Chosen by hand; no measurement of their
-//! effect is recorded.
+//! relaxation and the relative change of energy at which it ends. Chosen by hand.
 constexpr double firstPull = 1;
 constexpr int pulls = 8; // stiffness 1, 10, ... 1e7
 constexpr int stepsPerPull = 8;
 constexpr int mostSteps = 80;
 constexpr double stall = 1e-7;
 //! Each triangle must keep this share of its area at rest when points are put onto their targets. Chosen by
-//! hand; no measurement of its effect is recorded.
+//! hand.
 constexpr double smallestDeterminant = 1e-4;
 
 //! The faces to solve for, as a mesh of their own in solver units.

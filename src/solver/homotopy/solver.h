@@ -73,9 +73,9 @@ private:
 
 //! Smallest delta of the homotopy: the square of 0.3 mean edge lengths, or, if less, of half the fifth
 //! percentile of the edge lengths (for graded meshes). Below it nothing merges any more; above it, stitching
-//! would flip triangles. 0.3 was found with the prototype (with deltas that did not scale with the square of
-//! the edge length, stitching fine meshes flipped thousands of triangles); one half and the percentile were
-//! chosen by hand.
+//! would flip triangles. 0.3 was found on the first meshes, docs/constants.md (with deltas that did not scale
+//! with the square of the edge length, stitching fine meshes flipped thousands of triangles); one half and
+//! the percentile were chosen by hand.
 double finalDelta(const Soup &soup);
 
 } // namespace autocuts::homotopy

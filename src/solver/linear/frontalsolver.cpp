@@ -10,15 +10,15 @@ namespace autocuts::linear {
 
 namespace {
 
-//! Subtrees are split until none has more than this share of the total work. Chosen by hand; no measurement
-//! of its effect is recorded.
+// Numbers in this file without another source were chosen by hand.
+
+//! Subtrees are split until none has more than this share of the total work.
 constexpr double largestTask = 1.0 / 12;
-//! A pivot below this share of the mean diagonal means that the matrix is not positive definite. Chosen by
-//! hand; no measurement of its effect is recorded.
+//! A pivot below this share of the mean diagonal means that the matrix is not positive definite.
 constexpr float smallestPivot = 1e-9f;
 
 //! How many supernodes ahead the factor is prefetched, and the number of floats above which it is prefetched
-//! at all (smaller factors stay in the caches). Chosen by hand; no measurement of their effect is recorded.
+//! at all (smaller factors stay in the caches).
 constexpr int prefetchDistance = 3;
 constexpr std::size_t prefetchFrom = 1'000'000;
 

@@ -14,7 +14,7 @@ namespace autocuts::linear {
 //! Faster than a general library where fronts are small, as they are on meshes: supernodes of about sixteen
 //! nodes; explicit inverses of their pivot blocks, so that solving consists of dense matrix-vector products;
 //! single precision, with the largest array cut to 16 bits per entry because solving is bound by memory;
-//! independent subtrees on several threads. On the hub matrix of 5,800 triangles a prototype took 0.9 ms to
+//! independent subtrees on several threads. On the hub matrix of 5,800 triangles such a solver took 0.9 ms to
 //! factorise and 0.05 ms to solve, CHOLMOD 6.5 to 7.4 ms and 0.25 ms. Relative residuals of about 1e-3 are
 //! usual: not for exact solutions.
 //! \pre the pattern consists of full 2 x 2 blocks (of their lower triangles on the diagonal)

@@ -7,12 +7,12 @@ namespace autocuts::linear {
 
 namespace {
 
-//! Most nodes that a supernode eliminates, and the size up to which two supernodes are always merged. Chosen
-//! by hand; no measurement of their effect is recorded.
+// Numbers in this file without another source were chosen by hand.
+
+//! Most nodes that a supernode eliminates, and the size up to which two supernodes are always merged.
 constexpr int mostNodes = largestFront / 2;
 constexpr int fewNodes = 4;
-//! Largest share of explicit zeros that merging supernodes may bring into a front. Chosen by hand; no
-//! measurement of its effect is recorded.
+//! Largest share of explicit zeros that merging supernodes may bring into a front.
 constexpr double zerosAllowed = 0.25;
 
 //! Columns of the lower triangle below the diagonal, in nodes: rows[begin[j]] ... rows[begin[j + 1] - 1],

@@ -48,8 +48,7 @@ constexpr int packedLanes = 2 * frontLanes;
 //! (relative error at most 1 / 256).
 void packFront(const float *t, int p, int stride, std::int32_t *packed);
 
-//! Most scalars that a supernode eliminates: 16 nodes, the size to which the prototype merged supernodes. No
-//! measurement of other sizes is recorded.
+//! Most scalars that a supernode eliminates: 16 nodes, chosen by hand.
 constexpr int largestFront = 32;
 
 //! What a solve needs of a supernode that eliminates `pivots` scalars: W, the inverse of their block, and T =

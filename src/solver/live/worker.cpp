@@ -12,14 +12,14 @@ namespace autocuts::live {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 using Clock = std::chrono::steady_clock;
 
 constexpr auto resultInterval = std::chrono::milliseconds(1000 / SolveWorker::resultsPerSecond);
-//! Least time, in seconds, over which steps per second are averaged, so that the figure can be read. Chosen
-//! by hand.
+//! Least time, in seconds, over which steps per second are averaged, so that the figure can be read.
 constexpr double rateWindow = 0.4;
-//! In manual mode the worker waits for an edit after this many stalled steps in a row. Chosen by hand; no
-//! measurement of its effect is recorded.
+//! In manual mode the worker waits for an edit after this many stalled steps in a row.
 constexpr int stalledStepsToWait = 10;
 
 double secondsBetween(Clock::time_point from, Clock::time_point to)

@@ -56,7 +56,7 @@ class SolveWorker final : public QObject
     Q_OBJECT
 
 public:
-    //! Most results given out per second. Chosen by hand; no measurement of its effect is recorded.
+    //! Most results given out per second. Chosen by hand.
     static constexpr int resultsPerSecond = 30;
 
     //! \param threads number of threads of one step; no result depends on it

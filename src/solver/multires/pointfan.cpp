@@ -10,11 +10,11 @@ namespace autocuts::multires {
 
 namespace {
 
-//! Mean symmetric Dirichlet energy above which a point had better not stay on the side. Chosen by hand; no
-//! measurement of its effect is recorded.
+// Numbers in this file without another source were chosen by hand.
+
+//! Mean symmetric Dirichlet energy above which a point had better not stay on the side.
 constexpr double flat = 100;
-//! How often a distance is halved in search of a valid position. Chosen by hand; no measurement of its effect
-//! is recorded.
+//! How often a distance is halved in search of a valid position.
 constexpr int halvings = 40;
 
 } // namespace
@@ -87,8 +87,7 @@ void PointFan::descend(Vec2 &p, double &value, int steps) const
     for (int step = 0; step < steps; ++step) {
         Vec2 g, gu, gv;
         energy(p, &g);
-        // Step of the differences, relative to the size of the triangles. Chosen by hand; no measurement of
-        // its effect is recorded.
+        // Step of the differences, relative to the size of the triangles.
         const double h = 1e-4 * std::sqrt((mSpokes[0].a - p).squaredNorm());
         if (!(energy(p + Vec2(h, 0), &gu) < infinite) || !(energy(p + Vec2(0, h), &gv) < infinite))
             return;

@@ -9,7 +9,7 @@
 namespace autocuts::multires {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-//! Newton steps of one point. Chosen by hand; no measurement of its effect is recorded.
+//! Newton steps of one point. Chosen by hand.
 constexpr int descentSteps = 6;
 
 //! Triangles (point, a, b), each counter-clockwise; b of one is a of the next. Their 3D shapes define the

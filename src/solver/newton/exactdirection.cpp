@@ -154,7 +154,7 @@ private:
         double sum = 0;
         for (const int d : mDiagonal)
             sum += values[d];
-        // Relative to the mean diagonal entry. Chosen by hand; no measurement of its effect is recorded.
+        // Relative to the mean diagonal entry. Chosen by hand.
         double shift = 1e-9 * sum / double(mDiagonal.size());
         for (int attempt = 0; attempt < 8; ++attempt, shift *= 100) {
             for (const int d : mDiagonal)

@@ -10,11 +10,11 @@ namespace autocuts::newton {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Least stiffness that holds a triangle in place, relative to its own: without it, S could have no inverse.
-//! Chosen by hand; no measurement of its effect is recorded.
 constexpr float leastHold = 1e-4f;
-//! How many times stiffer than its triangle a corner is held that must not move. Chosen by hand; no
-//! measurement of its effect is recorded.
+//! How many times stiffer than its triangle a corner is held that must not move.
 constexpr float fixedHold = 1e6f;
 
 using DoubleLanes = double __attribute__((vector_size(laneCount * sizeof(double))));

@@ -16,7 +16,7 @@ BoxTree::BoxTree(std::vector<Eigen::AlignedBox2d> boxes) : mBoxes(std::move(boxe
 
 void BoxTree::build(int begin, int end)
 {
-    // Chosen by hand; no measurement of its effect is recorded.
+    // Chosen by hand.
     constexpr int leafSize = 4;
     const std::size_t id = mNodes.size();
     mNodes.emplace_back();

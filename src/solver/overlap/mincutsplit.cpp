@@ -12,8 +12,7 @@ MinCutSplitter::MinCutSplitter(const UnitGraph &graph, const std::vector<std::in
 
 bool MinCutSplitter::exhausted() const
 {
-    // Bounds the time that the cuts of one chart may take. Chosen by hand; no measurement of its effect is
-    // recorded.
+    // Bounds the time that the cuts of one chart may take. Chosen by hand.
     constexpr std::int64_t mostVisits = 20'000'000;
     return mVisited > mostVisits || mJob.stopped();
 }

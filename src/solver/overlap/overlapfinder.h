@@ -17,8 +17,7 @@ inline constexpr double visibleOverlap = 1e-9;
 //! What counts as an overlap, how many are reported, and the job.
 struct OverlapOptions
 {
-    //! A pair counts when its intersection exceeds this share of totalArea. Chosen by hand; no measurement of
-    //! its effect is recorded.
+    //! A pair counts when its intersection exceeds this share of totalArea. Chosen by hand.
     double minAreaRatio = 1e-10;
     double totalArea = 0;              //!< UV area to compare with; 0: the total of the given triangles
     std::size_t maxPairs = 50'000'000; //!< findOverlaps() stops there; bounds memory, chosen by hand

@@ -23,7 +23,7 @@ BinRaster makeBin(const PackProblem &problem, double pixel)
 }
 
 //! From this many islands on, the search for an island starts at the row where the last one of similar size
-//! fitted, because starting from the first row for each of them costs too much. Chosen by hand, not measured.
+//! fitted, because starting from the first row for each of them costs too much. Chosen by hand.
 constexpr int manyIslands = 1500;
 
 } // namespace

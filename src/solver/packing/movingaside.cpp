@@ -11,17 +11,18 @@ namespace autocuts::packing {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! A distance to try, and the distance to others that a place there must keep, in gutters. Near places with
-//! room come first, then nearer ones with less room. Chosen by hand; no measurement of their effect is
-//! recorded.
+//! room come first, then nearer ones with less room.
 struct Try
 {
     double way, clearance;
 };
 constexpr Try nearTries[] = {{1, 1}, {1.5, 1}, {2, 1}, {3, 1}, {4, 1}, {0.5, 0.25}, {0.25, 0.125}};
-//! Farther places are tried at distances that grow by this factor. Chosen by hand.
+//! Farther places are tried at distances that grow by this factor.
 constexpr double growth = 1.5;
-constexpr int directions = 16; // chosen by hand
+constexpr int directions = 16;
 
 std::vector<Try> triesUpTo(double farthest)
 {

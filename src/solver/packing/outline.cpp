@@ -13,6 +13,8 @@ namespace autocuts::packing {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 struct DirectedEdge
 {
     int low, high, winding;
@@ -257,7 +259,7 @@ int Outline::windingAt(const Vec2 &p) const
 namespace {
 
 //! Share of the border in two directions at a right angle from which an island stands upright, and by how
-//! much, in degrees, the sides may differ from these. Chosen by hand.
+//! much, in degrees, the sides may differ from these.
 constexpr double squareShare = 0.35;
 constexpr int squareWidth = 1;
 

@@ -11,13 +11,15 @@ namespace autocuts::preference {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Share of the edge length that must match under a plane of symmetry; from the second value on no other
-//! plane is tried. Chosen by hand; no measurement of their effect is recorded.
+//! plane is tried.
 constexpr double exactShare = 0.95, certainShare = 0.999;
 //! The same for models that are symmetric only in part or nearly, such as sculpts.
 constexpr double leastShare = 0.45, leastArea = 0.75;
 //! Distances within which two points match, as shares of the mean edge length: on exact models, and on others
-//! at the end, and while their plane is sought. Chosen by hand.
+//! at the end, and while their plane is sought.
 constexpr double tolerance = 0.1, looseTolerance = 0.6, firstTolerance = 1.5;
 constexpr double mostReach = 0.02; // of the size of the model: the edges of coarse models are long
 constexpr int planeSteps = 8;

@@ -12,7 +12,7 @@ namespace autocuts::preference {
 
 namespace {
 
-//! Rays per vertex. Chosen by hand; no measurement of its effect is recorded.
+//! Rays per vertex. Chosen by hand.
 constexpr int rayCount = 64;
 constexpr double lift = 1e-4; // distance of a ray's start from the surface, as a share of the mesh's diagonal
 constexpr int blockSize = 256;

@@ -9,7 +9,7 @@ namespace autocuts::preference {
 
 namespace {
 
-// Chosen by hand; no measurement of its effect is recorded.
+// Chosen by hand.
 constexpr int leafSize = 4;
 constexpr int deepest = 64; // size of the stack; each level halves the triangles, so no mesh needs more
 

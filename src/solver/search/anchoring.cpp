@@ -13,7 +13,7 @@ namespace autocuts::search {
 
 namespace {
 
-// Chosen by hand; their effect has not been measured.
+// Chosen by hand.
 constexpr double hardPinWeight = 100; // of a hard pin against a soft one of weight 1, when a chart is placed
 constexpr int angles = 24;        // directions in a quarter turn in which a chart is fitted to a rectangle
 constexpr double boxShare = 0.98; // of the rectangle that a fitted chart takes at most

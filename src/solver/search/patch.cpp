@@ -7,8 +7,7 @@ namespace autocuts::search {
 
 namespace {
 
-//! Share of the way from a point to the mean centroid of its triangles. Chosen by hand; its effect has not
-//! been measured.
+//! Share of the way from a point to the mean centroid of its triangles. Chosen by hand.
 constexpr double partingShare = 0.01;
 
 int findRoot(std::vector<int> &parent, int i)

@@ -17,7 +17,7 @@ namespace autocuts::search {
 //! When Patch::minimize() stops.
 struct PatchLimits
 {
-    int steps = 6; //!< Newton steps at most; the prototype's number, its effect has not been measured here
+    int steps = 6;           //!< Newton steps at most; see SeamSearch::trialSteps
     double tolerance = 1e-6; //!< stop when the predicted decrease (-gradient * direction) is not above this
     //! Give up when the energy would stay above this even if it fell by the whole predicted decrease, twice
     //! what the quadratic model gains.

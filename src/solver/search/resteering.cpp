@@ -11,7 +11,7 @@ namespace autocuts::search {
 
 namespace {
 
-// Chosen by hand; their effect has not been measured.
+// Chosen by hand.
 constexpr std::size_t edgesAtOnce = 24; // opened in one trial, at most
 constexpr int trianglesPerEdge = 12;    // of the patch of a trial
 constexpr int smallestPatch = 200, largestPatch = 3000;

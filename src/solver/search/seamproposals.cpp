@@ -1,5 +1,4 @@
-// The large moves that SeamSearch proposes at random. The kinds of moves are those of the prototype; lengths,
-// probabilities and noise were chosen by hand and their effect has not been measured.
+// The large moves that SeamSearch proposes at random. Lengths, probabilities and noise were chosen by hand.
 #include "solver/search/seamsearch.h"
 
 #include <algorithm>
@@ -161,7 +160,8 @@ std::vector<int> SeamSearch::bestNewSeam(int tries)
         double length = 0;
         for (const int e : change.open)
             length += mState.graph->length[e];
-        if (!(length > 0) || !attempt(Add, change, mediumPatch, 6, -std::numeric_limits<double>::infinity()))
+        if (!(length > 0) ||
+            !attempt(Add, change, mediumPatch, trialSteps, -std::numeric_limits<double>::infinity()))
             continue;
         const double gain = (saved.energy - mState.energy) / length;
         if (gain > most) {

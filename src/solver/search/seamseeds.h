@@ -13,9 +13,10 @@ namespace autocuts::search {
 
 struct SeedOptions
 {
-    //! Paths added to each chart at most. The prototype drew it between 5 and 25; here shrinkage decides.
+    //! Paths added to each chart at most. A guard: shrinkage decides.
     int paths = 25;
-    //! Least logarithm of 3D area over UV area at a vertex for which a path is added. The prototype's value.
+    //! Least logarithm of 3D area over UV area at a vertex for which a path is added. See leastShrinkage of
+    //! seamoptimizer.cpp.
     double shrinkage = 0.7;
     //! Begin with the seams of clusterSeams(); empty: with none.
     std::vector<double> mostSpread;

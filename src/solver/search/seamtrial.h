@@ -17,8 +17,7 @@ struct SeamChange
     std::vector<int> open, close;
 };
 
-//! Conditions for a change to be kept, and the effort spent on it. The defaults of mu, patchSize and steps
-//! are the prototype's.
+//! Conditions for a change to be kept, and the effort spent on it.
 struct TrialTerms
 {
     double mu = 0.06;      //!< energy that one unit of seam cost is worth

@@ -19,19 +19,21 @@ namespace autocuts::straight {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 constexpr double leastEnergy = 4; //!< of a mean triangle
 //! Share of the room below the bound that the search of seams may use. Measured on truck, beetle, teapot and
 //! the machine sample: seams are 1.00 to 1.06 times as long with .85, up to 1.23 times with .7, where no more
 //! becomes straight.
 constexpr double searchShare = 0.85;
-//! Most distortion for straightening, however large the bound is. Chosen by hand.
+//! Most distortion for straightening, however large the bound is.
 constexpr double mostSpent = 0.15;
 constexpr double smallerBudget = 0.9; //!< factor when the whole map is above the bound
 constexpr int mostStraightenings = 20;
 // The same after a stop.
 constexpr double hurriedBudget = 0.5;
 constexpr int hurriedTries = 3;
-//! How much stiffer a rigid region is than the rest, as in the search. Chosen by hand.
+//! How much stiffer a rigid region is than the rest, as in the search.
 constexpr double rigidStiffness = 1000;
 
 //! Per triangle: true in a rigid region that has its shape in the map. Empty: there is none.

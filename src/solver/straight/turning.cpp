@@ -7,9 +7,11 @@ namespace autocuts::straight {
 
 namespace {
 
-//! Directions that are nearer than about this count as one. Chosen by hand.
+// Numbers in this file without another source were chosen by hand.
+
+//! Directions that are nearer than about this count as one.
 constexpr double sameDirection = 4 * std::numbers::pi / 180;
-//! Below this mean slope an island lies across a direction. Chosen by hand.
+//! Below this mean slope an island lies across a direction.
 constexpr double leastRise = 0.1;
 constexpr double quarter = std::numbers::pi / 2;
 

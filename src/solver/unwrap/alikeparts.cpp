@@ -17,13 +17,15 @@ namespace autocuts::unwrap {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Areas of copies differ by less than this share. Only saves time: lengths decide.
 constexpr double areaTolerance = 0.15;
-//! Share of a part's area in rigid regions from which near copies of it may have its cuts. Chosen by hand.
+//! Share of a part's area in rigid regions from which near copies of it may have its cuts.
 constexpr double rigidPartShare = 0.95;
-//! Newton steps that relax near copies, at most. Chosen by hand.
+//! Newton steps that relax near copies, at most.
 constexpr int nearCopySteps = 30;
-//! How much more the seams may cost where all copies get the map of one. Chosen by hand.
+//! How much more the seams may cost where all copies get the map of one.
 constexpr double dearestUnified = 1.05;
 
 //! True when alike parts may be solved once.

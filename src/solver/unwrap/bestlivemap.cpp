@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Chosen by hand; their effect has not been measured.
+// Chosen by hand.
 constexpr double givingShare = 0.2; // of the time that giving out maps may take
 constexpr auto timeAfterPause = std::chrono::milliseconds(100);
 constexpr auto leastPause = std::chrono::milliseconds(100); // between two maps given out

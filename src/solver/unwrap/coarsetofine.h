@@ -36,7 +36,7 @@ struct CoarseSearch
         unwrap;
     //! While a carried map is relaxed, receives what makes a usable map of it as it is then. May be empty.
     std::function<void(MakeCarriedMap)> relaxing;
-    //! Of the coarse mesh. The default was chosen by hand, not measured.
+    //! Of the coarse mesh. The default was chosen by hand.
     int triangles = 6'000;
 };
 

@@ -28,15 +28,16 @@ namespace autocuts::unwrap {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Delta of the separation energy for a given map, solver units squared: corners much nearer to each other
 //! than its square root count as joined. Chosen by hand far above rounding and far below the edge lengths.
 constexpr double touchingDelta = 1e-9;
 //! Rough number of steps of a live solve. A guess that only the progress depends on.
 constexpr double usualSteps = 1000;
-//! Time for straightening after a stop. Chosen by hand.
+//! Time for straightening after a stop.
 constexpr auto timeAfterStop = std::chrono::milliseconds(100);
 //! Share of the stretch above the bound that other seams may leave to be taken in place of those of the map.
-//! Chosen by hand.
 constexpr double worthOtherSeams = 0.5;
 
 void load(const FinishInput &input, const FreePart &part, int threads, homotopy::Solver &solver)

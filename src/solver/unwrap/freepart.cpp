@@ -15,14 +15,16 @@ namespace autocuts::unwrap {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 bool isFree(const IslandFlags &flags)
 {
     return flags.locked == 0 && flags.stack == 0 && flags.group == 0;
 }
 
-constexpr double leastBound = 4.0001;   // that a search may be given. Chosen by hand
-constexpr double sameDistortion = 1e-9; // what a map may differ by that is measured again; by hand
-constexpr double atPin = 1e-7; // distance from a pin, in texture space, of a corner that is at it; by hand
+constexpr double leastBound = 4.0001;   // that a search may be given
+constexpr double sameDistortion = 1e-9; // what a map may differ by that is measured again
+constexpr double atPin = 1e-7;          // distance from a pin, in texture space, of a corner that is at it
 
 //! Per face: true when hard pins hold all its corners, where the map has them. Empty when there is no map.
 std::vector<bool> pinnedFaces(const Snapshot &snapshot)

@@ -15,10 +15,11 @@ namespace autocuts::unwrap {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! A tile is packed anew where the islands that do not fit into it save more than this share of the seams.
-//! Chosen by hand.
 constexpr double worthPacking = 0.1;
-//! Share of the border along the axes that may be lost. Chosen by hand.
+//! Share of the border along the axes that may be lost.
 constexpr double lostAlignment = 0.02;
 constexpr double rounding = 1e-9;
 

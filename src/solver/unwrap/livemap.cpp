@@ -17,7 +17,7 @@ namespace autocuts::unwrap {
 
 namespace {
 
-// Chosen by hand; their effect has not been measured.
+// Chosen by hand.
 constexpr int movesPerRound = 120;      // large moves on each map between two squeezes
 constexpr double roundHeat = 0.5;       // see SeamRun::search()
 constexpr double noteworthy = 1e-3;     // share of the seam cost that a round has to gain

@@ -20,11 +20,13 @@ namespace autocuts::unwrap {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Where only the given seams may be seams there is no bound on the distortion. Above all that users can ask
 //! for.
 constexpr double noBound = 1e9;
-constexpr double dearSeam = 100; // factor on the cost of a seam that is not given; chosen by hand
-constexpr int relaxSteps = 200;  // Newton steps for a map whose seams stay; chosen by hand
+constexpr double dearSeam = 100; // factor on the cost of a seam that is not given
+constexpr int relaxSteps = 200;  // Newton steps for a map whose seams stay
 //! A map whose distortion is further above the bound takes long to carry to a finer mesh; none of those is
 //! made ready for a stop.
 constexpr double worthCarrying = 0.5;
@@ -34,7 +36,7 @@ constexpr double leastGain = 1e-9; // energy gained in ten steps below which rel
 //! on.
 constexpr double coarseShare = 0.55;
 
-//! Share of the stretch allowed that is left for what copies differ by. Chosen by hand.
+//! Share of the stretch allowed that is left for what copies differ by.
 constexpr double copyTolerance = 1e-4;
 
 //! A carried map as a candidate.

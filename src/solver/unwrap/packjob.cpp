@@ -18,7 +18,9 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! After a stop more pieces than this are only laid into shelves: chosen by hand.
+// Numbers in this file without another source were chosen by hand.
+
+//! After a stop more pieces than this are only laid into shelves.
 constexpr int mostHurriedPieces = 100;
 
 //! How far an island may reach out of its rectangle. Chosen by hand far above rounding.

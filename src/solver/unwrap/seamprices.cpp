@@ -14,7 +14,7 @@ namespace autocuts::unwrap {
 
 namespace {
 
-// Chosen by hand; their effect has not been measured.
+// Chosen by hand.
 constexpr int seamlessSteps = 40;  // Newton steps on the map without a seam
 constexpr int proposalTries = 60;  // new seams that are tried for one proposal
 constexpr double proposalMu = 0.1; // see SearchOptions

@@ -15,19 +15,20 @@ namespace autocuts::unwrap {
 
 namespace {
 
+// Numbers in this file without another source were chosen by hand.
+
 //! Rigid regions of two maps are equally flat where their stretch, with its stiffness of 100, differs by less
-//! than this share, or by less than this much: a mean distortion of .001, which nobody sees. Chosen by hand.
+//! than this share, or by less than this much: a mean distortion of .001, which nobody sees.
 constexpr double sameFlatness = 0.01, unseenBend = 0.1;
-//! The gain in mean distortion that counts: what an edit changes near it is little of the whole. Chosen by
-//! hand.
+//! The gain in mean distortion that counts: what an edit changes near it is little of the whole.
 constexpr double leastGain = 1e-5;
 //! Share of what the seams cost that other seams have to save, or a whole layout changes for seams that
-//! nobody sees to be shorter. Chosen by hand.
+//! nobody sees to be shorter.
 constexpr double leastSaving = 0.003;
 //! The pull of soft pins that counts as less: by a share of the whole, and by a pin of weight 1 that comes
-//! nearer than this to its place, solver units. Chosen by hand.
+//! nearer than this to its place, solver units.
 constexpr double lessPull = 0.01, seenDistance = 1e-3;
-constexpr double moreAligned = 0.01; // share of the borders that counts. Chosen by hand
+constexpr double moreAligned = 0.01; // share of the borders that counts
 
 bool hasClosedCuts(const Snapshot &part)
 {
