@@ -6,6 +6,7 @@
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/mapstudio.h"
+#include "support/meshbuilders.h"
 
 namespace tst_jobsandedits {
 
@@ -14,6 +15,12 @@ using namespace autocuts::unwrap;
 using Studio = test::MapStudio;
 
 namespace {
+
+//! Large enough for a search that goes on while it is watched.
+test::MeshPtr ball()
+{
+    return test::sphere(10, 12);
+}
 
 //! An edge pair that is no seam of the map that is shown, and no diagonal.
 int joinedInside(const Studio &studio)
@@ -35,7 +42,7 @@ private Q_SLOTS:
     //! The best map is seen while it is looked for; the document does not change before the end.
     void unwrappingShowsItsBestMap()
     {
-        Studio studio;
+        Studio studio(ball());
         const std::size_t corners = studio.document().mesh().soupCornerCount();
         studio.map.unwrap(UnwrapQuality::Standard);
         QVERIFY(QTest::qWaitFor([&] { return studio.map.isPreviewing(); }, test::patience));
@@ -54,7 +61,7 @@ private Q_SLOTS:
     //! Seeing maps on the way does not change the result.
     void aWatchedUnwrapGivesTheSameMap()
     {
-        Studio studio;
+        Studio studio(ball());
         const Snapshot snapshot = makeSnapshot(studio.document());
         unwrap::UnwrapOptions options;
         options.packing = packing::tileOptions(studio.document().packingSettings());
@@ -68,7 +75,7 @@ private Q_SLOTS:
     //! The job begins again with the edit, also when that comes shortly before its end.
     void unwrappingTakesUpEdits()
     {
-        Studio studio;
+        Studio studio(ball());
         studio.map.unwrap(UnwrapQuality::Standard);
         QVERIFY(QTest::qWaitFor([&] { return studio.map.isPreviewing(); }, test::patience));
         const int edge = joinedInside(studio);
@@ -85,7 +92,7 @@ private Q_SLOTS:
     //! What is edited after Cancel does not begin the job again.
     void aCancelledJobStaysCancelled()
     {
-        Studio studio;
+        Studio studio(ball());
         studio.map.unwrap(UnwrapQuality::Best);
         QVERIFY(QTest::qWaitFor([&] { return studio.map.isPreviewing(); }, test::patience));
         studio.cut(joinedInside(studio));
@@ -98,7 +105,7 @@ private Q_SLOTS:
 
     void anEditMeanwhileWins()
     {
-        Studio studio;
+        Studio studio(ball());
         studio.map.unwrap(UnwrapQuality::Draft);
         studio.layOut(false);
         const UvMatrix edited = studio.document().uv();
@@ -126,7 +133,7 @@ private Q_SLOTS:
 
     void cancelKeepsAMapThatIsBetter()
     {
-        Studio studio("character");
+        Studio studio(ball());
         studio.layOut(false);
         const UvMatrix before = studio.document().uv();
         const int entries = studio.stack().count();
@@ -140,7 +147,7 @@ private Q_SLOTS:
 
     void anotherDocumentThrowsTheResultAway()
     {
-        Studio studio;
+        Studio studio(ball());
         studio.map.unwrap(UnwrapQuality::Draft);
         studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("torus")).value()), {});
         QVERIFY(!studio.map.jobs().isBusy());

@@ -432,7 +432,8 @@ private Q_SLOTS:
         // A small island beside another one.
         UvMatrix uv = studio.document().uv();
         const int end = studio.document().mesh().faceStart[1];
-        const Eigen::RowVector2d shift = uv.row(end) - 0.05 * uv.row(0) - Eigen::RowVector2d(0.005, 0);
+        const Eigen::RowVector2d shift =
+            uv.row(end) - 0.05 * uv.row(0) - Eigen::RowVector2d(studio.cell() / 60, 0);
         for (int c = 0; c < end; ++c)
             uv.row(c) = 0.05 * uv.row(c) + shift;
         pushCommand(std::make_unique<SetUvs>(studio.document(), UvEdit::Scale, uv));

@@ -4,6 +4,7 @@
 #include "commands/setuvs.h"
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
+#include "support/editsupport.h"
 #include "support/mapedits.h"
 #include "support/meshbuilders.h"
 #include "support/patience.h"
@@ -32,8 +33,12 @@ struct Studio
     SolverController solver{workspace, shown};
 
     explicit Studio(const char *sample = "bumpycube")
+        : Studio(makeSample(QString::fromLatin1(sample)).value())
+    {}
+    explicit Studio(const test::MeshPtr &mesh) : Studio(test::sceneOf(mesh)) {}
+    explicit Studio(Scene scene)
     {
-        DocumentState state = DocumentState::initial(makeSample(QString::fromLatin1(sample)).value());
+        DocumentState state = DocumentState::initial(std::move(scene));
         state.solveSettings.lambda = 0.1;
         state.solveSettings.delta = 0.02;
         workspace.open(Document::create(std::move(state)).value(), {});
@@ -65,7 +70,7 @@ private Q_SLOTS:
     void theEndOfAnotherRunDoesNotPause()
     {
         QSemaphore rests; // outlives the worker
-        Studio studio;
+        Studio studio(test::sphere(6, 8));
         SolveSettings settings = studio.document().solveSettings();
         settings.lambda = 0; // the start is the solution: the worker soon waits
         pushCommand(std::make_unique<ChangeSettings>(studio.document(), settings));
@@ -182,7 +187,7 @@ private Q_SLOTS:
     //! A run that finds nothing better says so when it ends.
     void aRunThatGainsNothingSaysSo()
     {
-        Studio studio("torus");
+        Studio studio(test::torus(8, 6));
         studio.solver.setMode(SolveMode::Budget);
         const QSignalSpy said(&studio.solver, &SolverController::said);
         const auto ends = [&] {
@@ -213,7 +218,8 @@ private Q_SLOTS:
             studio.solver.setMode(mode);
             const QSignalSpy problems(&studio.solver, &SolverController::foundProblems);
             studio.solver.run();
-            QTest::qWait(1000);
+            QVERIFY(
+                QTest::qWaitFor([&] { return studio.solver.map() || problems.count() > 0; }, test::patience));
             QVERIFY(studio.settles());
             QVERIFY(studio.solver.map() || problems.count() > 0);
             bool paused = false;

@@ -4,6 +4,7 @@
 #include "commands/setseamstate.h"
 #include "commands/setuvs.h"
 #include "model/samples/samples.h"
+#include "support/editsupport.h"
 #include "support/patience.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
@@ -14,11 +15,12 @@
 #include <QTest>
 
 #include <array>
+#include <cmath>
 #include <memory>
 
 namespace autocuts::test {
 
-//! A document with a sample, and all that works on its map.
+//! A document with a sample or a mesh, and all that works on its map.
 struct MapStudio
 {
     Workspace workspace;
@@ -31,6 +33,7 @@ struct MapStudio
     {
         workspace.open(std::make_unique<Document>(makeSample(QString::fromLatin1(sample)).value()), {});
     }
+    explicit MapStudio(const MeshPtr &mesh) { workspace.open(std::make_unique<Document>(sceneOf(mesh)), {}); }
     Document &document() { return *workspace.document(); }
     UndoStack &stack() { return document().undoStack(); }
     bool ends()
@@ -48,11 +51,16 @@ struct MapStudio
             document(), SetSeamState::Edit::Cut,
             IndexRanges::fromSorted(std::array{2 * edgePair, 2 * edgePair + 1})));
     }
-    //! A quick map: every face of the box on its own, side by side and on top of each other as they come.
+    //! Side of the cell that layOut() has for a face. With more than one tile, each would be packed by
+    //! itself.
+    double cell() const { return 1 / std::ceil(std::sqrt(workspace.document()->mesh().faceCount())); }
+    //! A quick map in the first tile: every face on its own, side by side or on top of each other as they
+    //! come.
     void layOut(bool overlapping)
     {
         const MeshData &mesh = document().mesh();
         UvMatrix uv(mesh.cornerCount(), 2);
+        const int perRow = static_cast<int>(std::lround(1 / cell()));
         for (int f = 0; f < mesh.faceCount(); ++f) {
             const int first = mesh.faceStart[f];
             const Vec3 o = mesh.cornerPosition(first), a = mesh.cornerPosition(first + 1) - o;
@@ -60,9 +68,9 @@ struct MapStudio
             const Vec3 n = a.cross(Vec3(mesh.cornerPosition(first + 2) - o)).normalized();
             for (int c = first; c < mesh.faceStart[f + 1]; ++c) {
                 const Vec3 p = mesh.cornerPosition(c) - o;
-                uv.row(c) = 0.05 * Vec2(p.dot(x), p.dot(n.cross(x)));
+                uv.row(c) = cell() * (Vec2(0.25, 0.25) + Vec2(p.dot(x), p.dot(n.cross(x))) / 6);
                 if (!overlapping)
-                    uv.row(c) += Vec2(0.3 * (f % 40), 0.3 * (f / 40));
+                    uv.row(c) += cell() * Vec2(f % perRow, f / perRow);
             }
         }
         pushCommand(std::make_unique<SetUvs>(document(), UvEdit::Move, uv));
