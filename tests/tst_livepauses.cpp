@@ -22,6 +22,8 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
+constexpr int latestPause = 4000; //!< milliseconds
+
 //! Pauses per mesh. $AUTOCUTS_PAUSES asks for more of them, $AUTOCUTS_PAUSE_MESHES for further meshes, and
 //! $AUTOCUTS_PAUSE_FOLDER for the maps, to be measured by another program.
 int pauses()
@@ -76,10 +78,12 @@ private Q_SLOTS:
                                 .arg(figures.overlapPairs);
         });
         solver.run();
-        QVERIFY(QTest::qWaitFor([&] { return seen > 0; }, test::patience));
-        QTest::qWait(3000);
+        QVERIFY(QTest::qWaitFor([&] { return seen > 1; }, test::patience));
+        QTest::qWait(1000); // a bounded look, nothing is waited for
         solver.restart();
-        QTest::qWait(3000);
+        const int before = seen;
+        QVERIFY(QTest::qWaitFor([&] { return seen > before; }, test::patience));
+        QTest::qWait(1000);
         QVERIFY2(problems.isEmpty(), qPrintable(problems.join(u'\n')));
     }
     //! Begins anew every time; some edges are cut in every second run.
@@ -99,7 +103,7 @@ private Q_SLOTS:
         QStringList problems;
         for (int i = 0; i < pauses(); ++i) {
             solver.restart();
-            const int wait = static_cast<int>(random.uniform() * random.uniform() * 12'000);
+            const int wait = static_cast<int>(random.uniform() * random.uniform() * latestPause);
             QTest::qWait(wait / 2);
             if (i % 2) {
                 const int pair =
