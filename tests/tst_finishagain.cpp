@@ -35,6 +35,44 @@ UvMatrix draftOf(const Snapshot &snapshot)
     return unwrap::unwrapMesh(snapshot, draft).uv;
 }
 
+unwrap::FinishResult finished(Snapshot &snapshot, const UvMatrix &uv)
+{
+    snapshot.uv = std::make_shared<const UvMatrix>(uv);
+    snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
+    return unwrap::finishMap({.snapshot = snapshot});
+}
+
+//! A map of a small sphere, made once.
+const UvMatrix &sphereMap()
+{
+    static const UvMatrix uv = [] {
+        Snapshot snapshot;
+        snapshot.mesh = test::sphere(10, 12);
+        snapshot.keepTiles = true;
+        return unwrap::unwrapMesh(snapshot, {}).uv;
+    }();
+    return uv;
+}
+
+//! The draft of the machine, made once.
+const UvMatrix &machineDraft()
+{
+    static const UvMatrix uv = draftOf(machine());
+    return uv;
+}
+
+//! What two rounds of Finish make of it, made once.
+const std::vector<unwrap::FinishResult> &machineRounds()
+{
+    static const std::vector<unwrap::FinishResult> rounds = [] {
+        Snapshot snapshot = machine();
+        std::vector<unwrap::FinishResult> made{finished(snapshot, machineDraft())};
+        made.push_back(finished(snapshot, made.front().uv));
+        return made;
+    }();
+    return rounds;
+}
+
 //! Per edge pair: true when it is a seam.
 std::vector<bool> seamsOf(const MeshData &mesh, const UvMatrix &uv)
 {
@@ -50,9 +88,7 @@ std::vector<bool> seamsOf(const MeshData &mesh, const UvMatrix &uv)
 int finishToTheEnd(Snapshot &snapshot, UvMatrix &uv, int most)
 {
     for (int round = 1; round <= most; ++round) {
-        snapshot.uv = std::make_shared<const UvMatrix>(uv);
-        snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
-        const unwrap::FinishResult made = unwrap::finishMap({.snapshot = snapshot});
+        const unwrap::FinishResult made = finished(snapshot, uv);
         if (made.nothingGained != (made.uv == uv))
             return 0;
         uv = made.uv;
@@ -99,16 +135,14 @@ private Q_SLOTS:
     //! Islands that Finish changes keep the margin of the layout, and no map is taken that is worse.
     void finishingAgainMakesNothingWorse()
     {
-        Snapshot snapshot = machine();
-        UvMatrix uv = draftOf(snapshot);
+        const std::shared_ptr<const MeshData> mesh = machine().mesh;
+        UvMatrix uv = machineDraft();
         const double margin = packing::PackOptions().margin / packing::PackOptions().textureSize;
         for (int round = 0; round < 2; ++round) {
-            const metrics::UvMetrics before = metrics::measureUv(*snapshot.mesh, uv);
+            const metrics::UvMetrics before = metrics::measureUv(*mesh, uv);
             QVERIFY(before.minGutter >= 0.999 * margin);
-            snapshot.uv = std::make_shared<const UvMatrix>(uv);
-            snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
-            const unwrap::FinishResult made = unwrap::finishMap({.snapshot = snapshot});
-            const metrics::UvMetrics after = metrics::measureUv(*snapshot.mesh, made.uv);
+            const unwrap::FinishResult &made = machineRounds()[std::size_t(round)];
+            const metrics::UvMetrics after = metrics::measureUv(*mesh, made.uv);
             QVERIFY2(after.minGutter >= 0.999 * margin,
                      qPrintable(QString::number(after.minGutter / margin)));
             QVERIFY2(after.seamNorm <= before.seamNorm || after.symDirichlet <= before.symDirichlet,
@@ -135,7 +169,7 @@ private Q_SLOTS:
         snapshot.settings.symmetry = symmetry ? SymmetryMode::On : SymmetryMode::Off;
         if (symmetry)
             snapshot.mesh = test::sphere(10, 12);
-        UvMatrix uv = draftOf(snapshot);
+        UvMatrix uv = symmetry ? draftOf(snapshot) : machineDraft();
         snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
         if (!symmetry) { // around one of the islands
             const ChartMap charts = findCharts(*snapshot.mesh, uv);
@@ -172,9 +206,7 @@ private Q_SLOTS:
         QVERIFY(symmetry);
         const UvMatrix uv = draftOf(snapshot);
         QCOMPARE(preference::symmetricShare(*snapshot.mesh, *symmetry, seamsOf(*snapshot.mesh, uv)), 1.0);
-        snapshot.uv = std::make_shared<const UvMatrix>(uv);
-        snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
-        const unwrap::FinishResult made = unwrap::finishMap({.snapshot = snapshot});
+        const unwrap::FinishResult made = finished(snapshot, uv);
         QVERIFY(!made.nothingGained);
         QCOMPARE(preference::symmetricShare(*snapshot.mesh, *symmetry, seamsOf(*snapshot.mesh, made.uv)),
                  1.0);
@@ -184,18 +216,8 @@ private Q_SLOTS:
     void islandsThatHaveToMoveKeepTheirShapes()
     {
         Snapshot snapshot = machine();
-        UvMatrix uv = draftOf(snapshot);
-        snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
-        const auto finish = [&] {
-            snapshot.uv = std::make_shared<const UvMatrix>(uv);
-            return unwrap::finishMap({.snapshot = snapshot});
-        };
-        unwrap::FinishResult made = finish();
-        for (int round = 0; round < 3 && !made.nothingGained; ++round) {
-            uv = made.uv;
-            made = finish();
-        }
-        QVERIFY(made.nothingGained);
+        QVERIFY(machineRounds().back().nothingGained);
+        UvMatrix uv = machineRounds().back().uv;
         const metrics::UvMetrics before = metrics::measureUv(*snapshot.mesh, uv);
         const ChartMap charts = findCharts(*snapshot.mesh, uv);
         const int last = charts.count - 1;
@@ -212,7 +234,7 @@ private Q_SLOTS:
                 uv.row(c) += move.transpose();
         }
         QVERIFY(metrics::measureUv(*snapshot.mesh, uv).overlapPairs > 0);
-        made = finish();
+        const unwrap::FinishResult made = finished(snapshot, uv);
         const metrics::UvMetrics after = metrics::measureUv(*snapshot.mesh, made.uv);
         QCOMPARE(after.overlapPairs, 0);
         // What seams cost decides: those on sharp edges may be a little longer.
@@ -226,7 +248,7 @@ private Q_SLOTS:
         Snapshot snapshot;
         snapshot.mesh = test::sphere(10, 12);
         snapshot.keepTiles = true;
-        UvMatrix uv = unwrap::unwrapMesh(snapshot, {}).uv;
+        UvMatrix uv = sphereMap();
         snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
         Steering steering = *snapshot.steering;
         for (const int corner : {0, 100}) {
@@ -263,7 +285,7 @@ private Q_SLOTS:
             return unwrap::finishMap({.snapshot = snapshot, .maxDistortion = maxDistortion});
         };
         constexpr double bound = 4.1;
-        UvMatrix uv = unwrap::unwrapMesh(snapshot, {}).uv;
+        UvMatrix uv = sphereMap();
         unwrap::FinishResult made;
         for (int round = 0; round < 4 && !made.nothingGained; ++round) {
             snapshot.uv = std::make_shared<const UvMatrix>(uv);
