@@ -79,7 +79,7 @@ int main(int argc, char *argv[])
         out() << "usage: bench_drawing MESH [PICTURE]" << Qt::endl;
         return 2;
     }
-    test::StudioSession studio;
+    test::StudioSession studio(test::Look::Full);
     MeshView &model = studio.window.meshView();
     UvView &map = studio.window.uvView();
     QTest::qWait(500);

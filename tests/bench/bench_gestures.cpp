@@ -21,7 +21,7 @@ int main(int argc, char *argv[])
         std::fputs("usage: bench_gestures MESH\n", stderr);
         return 2;
     }
-    test::Artist artist({1400, 900});
+    test::Artist artist({1400, 900}, test::Look::Full);
     artist.studio.window.setUpdatesEnabled(false);
     const QString problem = test::runArtistSession(artist, QApplication::arguments()[1]);
     for (const auto &[gesture, times] : artist.times()) {

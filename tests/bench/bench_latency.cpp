@@ -65,7 +65,7 @@ int main(int argc, char *argv[])
     }
     const int milliseconds = 1000 * arguments.value(2, QStringLiteral("10")).toInt();
 
-    test::StudioSession studio;
+    test::StudioSession studio(test::Look::Full);
     const auto &solver = studio.context.solver;
     const auto waited = [&](int time) {
         return [clock = QElapsedTimer(), time]() mutable {

@@ -66,7 +66,7 @@ int main(int argc, char **argv)
     }
     const double seconds = argc > 2 ? QString::fromLocal8Bit(argv[2]).toDouble() : 5;
     for (const char *map : {"ao", "normal"}) {
-        test::StudioSession studio;
+        test::StudioSession studio(test::Look::Full);
         studio.context.files.open(QString::fromLocal8Bit(argv[1]));
         studio.jobsRest();
         LiveBake &live = studio.context.liveBake;

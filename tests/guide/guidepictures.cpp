@@ -50,7 +50,7 @@ public:
             if (++number != only && only != 0)
                 continue;
             // A window of its own: no step depends on the one before.
-            mArtist = std::make_unique<test::Artist>(QSize(1600, 900));
+            mArtist = std::make_unique<test::Artist>(QSize(1600, 900), test::Look::Full);
             (this->*step)();
             if (!mProblem.isEmpty())
                 break;

@@ -15,7 +15,7 @@ constexpr int searchStep = 12;   // pixels
 
 } // namespace
 
-Artist::Artist(const QSize &window)
+Artist::Artist(const QSize &window, Look look) : studio(look)
 {
     studio.setQuality(unwrap::UnwrapQuality::Standard);
     studio.window.resize(window);

@@ -16,7 +16,7 @@ class Artist
 public:
     using Times = std::map<QString, std::vector<double>>;
 
-    explicit Artist(const QSize &window);
+    explicit Artist(const QSize &window, Look look = Look::Quick);
 
     StudioSession studio;
     Canvas &model();

@@ -3,6 +3,8 @@
 
 #include "support/answers.h"
 #include "support/patience.h"
+#include "views/canvas/meshview.h"
+#include "views/canvas/uvview.h"
 #include "views/panels/unwrapform.h"
 #include "views/shell/mainwindow.h"
 #include "views/ui/preferences.h"
@@ -14,6 +16,10 @@
 namespace autocuts::test {
 
 using namespace live;
+
+//! Quick: in a small window without smooth edges, since software OpenGL takes most of the time otherwise.
+//! Full: as users see it, for pictures and benchmarks.
+enum class Look { Quick, Full };
 
 //! A window of its own with empty preferences in a folder of its own.
 struct StudioSession
@@ -28,8 +34,16 @@ struct StudioSession
                       std::unique_ptr<Questions>(answers)};
     StudioContext context = window.context();
 
-    StudioSession()
+    explicit StudioSession(Look look = Look::Quick)
     {
+        if (look == Look::Quick) {
+            window.resize(1440, 640); // with panels on both sides
+            for (Canvas *canvas : std::initializer_list<Canvas *>{&window.meshView(), &window.uvView()}) {
+                QSurfaceFormat format = canvas->format();
+                format.setSamples(0);
+                canvas->setFormat(format);
+            }
+        }
         window.show();
         [[maybe_unused]] const bool seen = QTest::qWaitForWindowExposed(&window);
         // A virtual screen has no window manager that would do it; without it no key is a shortcut.
