@@ -7,6 +7,7 @@
 #include "jobs/othermodel.h"
 #include "model/document/givenseams.h"
 #include "model/document/makesnapshot.h"
+#include "model/document/uvsetorder.h"
 #include "model/io/layouts/uvexport.h"
 #include "model/io/meshes/exportlosses.h"
 #include "model/io/meshes/instances.h"
@@ -14,7 +15,6 @@
 #include "model/io/pictures/texturefiles.h"
 #include "model/io/projects/projectfile.h"
 #include "model/io/projects/projectscene.h"
-#include "model/document/uvsetorder.h"
 #include "model/plain/uvlayout.h"
 
 #include <QFileInfo>

@@ -3,8 +3,8 @@
 #include "jobs/jobtexts.h"
 #include "jobs/othermodel.h"
 #include "model/document/shadedscene.h"
-#include "model/io/picturefiles.h"
 #include "model/io/outputs/bakefiles.h"
+#include "model/io/picturefiles.h"
 
 #include <algorithm>
 #include <memory>

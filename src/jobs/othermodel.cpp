@@ -1,10 +1,10 @@
 #include "jobs/othermodel.h"
 
+#include "jobs/abandonablework.h"
 #include "model/io/files/savefile.h"
 #include "model/io/meshes/meshfile.h"
 #include "model/io/outputs/fileclashes.h"
 #include "model/io/projects/projectfile.h"
-#include "jobs/abandonablework.h"
 
 #include <QFileInfo>
 
