@@ -2,6 +2,7 @@
 #include "api/failure.h"
 #include "api/mapoutput.h"
 #include "api/meshinput.h"
+#include "model/plain/parallel.h"
 #include "model/plain/uvlayout.h"
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/livemap.h"

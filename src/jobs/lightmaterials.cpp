@@ -4,7 +4,7 @@
 #include "jobs/othermodel.h"
 #include "model/document/shadedscene.h"
 #include "model/io/outputs/bakefiles.h"
-#include "model/io/picturefiles.h"
+#include "model/io/pictures/picturefiles.h"
 
 #include <algorithm>
 #include <memory>
