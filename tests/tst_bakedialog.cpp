@@ -4,9 +4,9 @@
 #include "support/bakesession.h"
 #include "support/damagedsessions.h"
 #include "support/mappedmodels.h"
-#include "views/control/filecontroller.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/modelpictures.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/pictures/modelpictures.h"
 #include "views/dialogs/bakedialog.h"
 
 #include <QCheckBox>

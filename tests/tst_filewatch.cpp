@@ -4,7 +4,7 @@
 #include "model/io/meshes/meshfile.h"
 #include "support/editsupport.h"
 #include "support/filedesk.h"
-#include "views/control/filewatch.h"
+#include "views/control/files/filewatch.h"
 
 #include <QFile>
 #include <QSemaphore>

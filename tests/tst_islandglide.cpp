@@ -5,9 +5,9 @@
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"
 #include "support/patience.h"
-#include "views/control/islandglide.h"
-#include "views/control/shownmap.h"
-#include "views/control/workspace.h"
+#include "views/control/session/islandglide.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 
 #include <QSignalSpy>
 #include <QTest>

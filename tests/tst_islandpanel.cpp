@@ -5,7 +5,7 @@
 #include "commands/setuvs.h"
 #include "support/editsupport.h"
 #include "support/panelbench.h"
-#include "views/control/islandfigures.h"
+#include "views/control/figures/islandfigures.h"
 #include "views/panels/islandpanel.h"
 #include "views/panels/islandtable.h"
 

@@ -1,6 +1,6 @@
 // Long work off the GUI thread: results, progress, cancel, failure.
 #include "support/patience.h"
-#include "views/control/jobrunner.h"
+#include "views/control/session/jobrunner.h"
 #include "views/ui/task.h"
 
 #include <QSignalSpy>

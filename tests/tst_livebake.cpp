@@ -6,10 +6,10 @@
 #include "support/mappedmodels.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
-#include "views/control/filecontroller.h"
-#include "views/control/livebake.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/modelpictures.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/pictures/livebake.h"
+#include "views/control/pictures/modelpictures.h"
 
 #include <QComboBox>
 #include <QListWidget>

@@ -6,9 +6,9 @@
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/patience.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 
 #include <QTest>
 

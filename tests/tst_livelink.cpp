@@ -6,9 +6,9 @@
 #include "model/samples/samples.h"
 #include "support/linkedprogram.h"
 #include "support/studiosession.h"
-#include "views/control/filecontroller.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/link/linkbutton.h"
 
 #include <QRandomGenerator>

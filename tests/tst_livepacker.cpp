@@ -2,10 +2,10 @@
 #include "commands/editpins.h"
 #include "support/patience.h"
 #include "support/pieces.h"
-#include "views/control/livepacker.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/live/livepacker.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 
 #include "model/plain/uvlayout.h"
 

@@ -6,9 +6,9 @@
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"
 #include "support/studiosession.h"
-#include "views/control/jobpreview.h"
-#include "views/control/shownmap.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/jobpreview.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 
 #include <QElapsedTimer>
 #include <QFileInfo>

@@ -5,7 +5,7 @@
 #include "support/canvases.h"
 #include "support/editsupport.h"
 #include "support/patience.h"
-#include "views/control/cleanfaces.h"
+#include "views/control/editing/cleanfaces.h"
 
 #include <QTest>
 

@@ -5,7 +5,7 @@
 #include "support/panelongrid.h"
 #include "views/canvas/madepictures.h"
 #include "views/canvas/mapoverlays.h"
-#include "views/control/opening.h"
+#include "views/control/files/opening.h"
 #include "views/gl/meshdrawing.h"
 #include "views/gl/patterntexture.h"
 #include "views/panels/packpanel.h"

@@ -8,9 +8,9 @@
 #include "support/mapedits.h"
 #include "support/meshbuilders.h"
 #include "support/patience.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 
 #include <QSemaphore>
 #include <QSignalSpy>

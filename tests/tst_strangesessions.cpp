@@ -8,8 +8,8 @@
 #include "support/sessions.h"
 #include "support/studiosession.h"
 #include "views/actions/actionregistry.h"
-#include "views/control/filecontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/session/workspace.h"
 
 #include <QAction>
 #include <QCborArray>

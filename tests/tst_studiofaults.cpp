@@ -12,12 +12,12 @@
 #include "support/gltffiles.h"
 #include "support/mappedmodels.h"
 #include "support/patience.h"
-#include "views/control/filecontroller.h"
-#include "views/control/jobrunner.h"
-#include "views/control/picturejobs.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/jobrunner.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
+#include "views/control/work/picturejobs.h"
 #include "views/ui/preferences.h"
 
 #include <QDir>

@@ -4,7 +4,7 @@
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
-#include "views/control/modelpictures.h"
+#include "views/control/pictures/modelpictures.h"
 #include "views/panels/noticebar.h"
 #include "views/shell/statusbar.h"
 #include "views/ui/task.h"

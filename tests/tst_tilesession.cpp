@@ -5,7 +5,7 @@
 #include "support/pieces.h"
 #include "support/studiosession.h"
 #include "views/canvas/uvview.h"
-#include "views/control/mapcontroller.h"
+#include "views/control/jobs/mapcontroller.h"
 #include "views/dialogs/densitydialog.h"
 #include "views/dialogs/exportlayoutdialog.h"
 #include "views/dialogs/pathfield.h"

@@ -6,10 +6,10 @@
 #include "support/damagedsessions.h"
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"
-#include "views/control/filecontroller.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/dialogs/transferdialog.h"
 
 #include <QCheckBox>

@@ -5,8 +5,8 @@
 #include "model/io/projects/projectfile.h"
 #include "support/studiosession.h"
 #include "views/actions/actionregistry.h"
-#include "views/control/filecontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/panels/noticebar.h"
 
 #include <QAction>

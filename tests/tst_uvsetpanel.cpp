@@ -1,9 +1,9 @@
 // The UV sets of a model in the window: choosing, adding, renaming and deleting them by mouse and keys.
 #include "commands/edituvsets.h"
 #include "support/studiosession.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/panels/uvsetpanel.h"
 
 #include <QDockWidget>

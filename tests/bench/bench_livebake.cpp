@@ -8,12 +8,12 @@
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
-#include "views/control/filecontroller.h"
-#include "views/control/livebake.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/pictures/livebake.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 #include "views/state/viewstate.h"
 
 #include <QApplication>

@@ -10,8 +10,8 @@
 #include "support/canvases.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
-#include "views/control/livebake.h"
-#include "views/control/modelpictures.h"
+#include "views/control/pictures/livebake.h"
+#include "views/control/pictures/modelpictures.h"
 #include "views/ui/language.h"
 #include "views/ui/theme.h"
 

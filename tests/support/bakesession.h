@@ -6,8 +6,8 @@
 #include "model/io/meshes/meshfile.h"
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"
-#include "views/control/filecontroller.h"
-#include "views/control/mapcontroller.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/jobs/mapcontroller.h"
 #include "views/dialogs/bakedialog.h"
 
 #include <QDoubleSpinBox>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "support/patience.h"
-#include "views/control/filecontroller.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 #include "views/ui/preferences.h"
 
 #include <QSignalSpy>

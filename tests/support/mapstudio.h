@@ -6,10 +6,10 @@
 #include "model/samples/samples.h"
 #include "support/editsupport.h"
 #include "support/patience.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -2,10 +2,10 @@
 
 #include "model/document/makesnapshot.h"
 #include "views/actions/actionregistry.h"
-#include "views/control/filecontroller.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/workspace.h"
 
 #include <QFileInfo>
 

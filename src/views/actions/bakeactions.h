@@ -4,8 +4,8 @@
 #include "jobs/bakechoice.h"
 #include "jobs/carrychoice.h"
 #include "jobs/lightchoice.h"
-#include "views/control/picturecontroller.h"
-#include "views/control/studiocontext.h"
+#include "views/control/jobs/picturecontroller.h"
+#include "views/control/session/studiocontext.h"
 #include "views/state/viewstate.h"
 
 #include <QDateTime>

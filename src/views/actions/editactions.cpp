@@ -3,8 +3,8 @@
 #include "views/actions/actionregistry.h"
 #include "views/actions/preferencesdialog.h"
 #include "views/canvas/toolmanager.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/ui/questions.h"
 
 namespace autocuts {

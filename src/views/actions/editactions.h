@@ -1,7 +1,7 @@
 // The Edit menu.
 #pragma once
 
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 
 #include <QObject>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/io/projects/autosave.h"
-#include "views/control/filewatch.h"
-#include "views/control/studiocontext.h"
+#include "views/control/files/filewatch.h"
+#include "views/control/session/studiocontext.h"
 
 #include <QObject>
 

@@ -2,7 +2,7 @@
 
 #include "commands/hidefaces.h"
 #include "views/actions/actionregistry.h"
-#include "views/control/workspace.h"
+#include "views/control/session/workspace.h"
 #include "views/selecting/selecting.h"
 
 namespace autocuts {

@@ -1,7 +1,7 @@
 // The actions that hide and show faces.
 #pragma once
 
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 
 #include <QObject>
 

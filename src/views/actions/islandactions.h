@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/arrangement.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 
 #include "commands/setuvs.h"
 

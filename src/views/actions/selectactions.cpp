@@ -2,9 +2,9 @@
 
 #include "model/document/selectiontools.h"
 #include "views/actions/choice.h"
-#include "views/control/islandfigures.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/figures/islandfigures.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/dialogs/numberdialog.h"
 #include "views/selecting/alongloops.h"
 #include "views/selecting/edgekinds.h"

@@ -1,7 +1,7 @@
 // The Select menu.
 #pragma once
 
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 
 #include "model/document/selection.h"
 

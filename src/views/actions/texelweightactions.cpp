@@ -4,7 +4,7 @@
 #include "commands/settexelweights.h"
 #include "model/plain/texelweights.h"
 #include "views/actions/actionregistry.h"
-#include "views/control/workspace.h"
+#include "views/control/session/workspace.h"
 #include "views/dialogs/numberdialog.h"
 #include "views/ui/questions.h"
 

@@ -2,8 +2,8 @@
 
 #include "views/actions/actionregistry.h"
 #include "views/actions/fileactions.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/dialogs/transferdialog.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"

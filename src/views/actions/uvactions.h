@@ -4,7 +4,7 @@
 #include "commands/setislandflags.h"
 #include "commands/setseamstate.h"
 #include "model/plain/solvesettings.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 
 #include <QObject>
 #include <QTimer>

@@ -2,8 +2,8 @@
 
 #include "commands/edituvsets.h"
 #include "views/actions/actionregistry.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/uvsetediting.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/jobs/uvsetediting.h"
 
 #include <QAction>
 

@@ -2,9 +2,9 @@
 
 #include "model/io/pictures/picturefiles.h"
 #include "views/actions/choice.h"
-#include "views/control/modelpictures.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/pictures/modelpictures.h"
+#include "views/control/session/workspace.h"
 #include "views/dialogs/previewdialog.h"
 #include "views/gl/picturereading.h"
 #include "views/ui/preferences.h"

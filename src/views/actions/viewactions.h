@@ -2,7 +2,7 @@
 #pragma once
 
 #include "views/canvas/orbitcamera.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 #include "views/state/viewstate.h"
 
 #include <QObject>

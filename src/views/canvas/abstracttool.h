@@ -3,7 +3,7 @@
 
 #include "views/canvas/picking.h"
 #include "views/canvas/tooloption.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 
 #include <QCursor>
 #include <QObject>

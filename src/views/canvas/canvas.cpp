@@ -3,10 +3,10 @@
 #include "views/canvas/glresources.h"
 #include "views/canvas/overlays.h"
 #include "views/canvas/toolmanager.h"
-#include "views/control/livebake.h"
-#include "views/control/modelpictures.h"
-#include "views/control/shownmap.h"
-#include "views/control/workspace.h"
+#include "views/control/pictures/livebake.h"
+#include "views/control/pictures/modelpictures.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 
 #include <QElapsedTimer>
 #include <QMouseEvent>

@@ -3,7 +3,7 @@
 
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/toolmanager.h"
-#include "views/control/workspace.h"
+#include "views/control/session/workspace.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>

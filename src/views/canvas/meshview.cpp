@@ -3,9 +3,9 @@
 #include "views/canvas/axisgizmo.h"
 #include "views/canvas/glresources.h"
 #include "views/canvas/overlays.h"
-#include "views/control/livebake.h"
-#include "views/control/shownmap.h"
-#include "views/control/workspace.h"
+#include "views/control/pictures/livebake.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 
 #include <QCborArray>
 #include <QPainter>

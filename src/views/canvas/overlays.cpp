@@ -3,9 +3,9 @@
 #include "model/plain/texelweights.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/shownmap.h"
-#include "views/control/studiocontext.h"
-#include "views/control/workspace.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/studiocontext.h"
+#include "views/control/session/workspace.h"
 #include "views/gl/colormap.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // The arrays that a canvas draws, updated after events of the document.
 #pragma once
 
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 #include "views/gl/soupbuffers.h"
 #include "views/state/viewstate.h"
 

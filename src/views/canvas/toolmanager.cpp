@@ -2,8 +2,8 @@
 
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/session/workspace.h"
 
 #include <algorithm>
 

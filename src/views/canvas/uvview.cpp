@@ -7,10 +7,10 @@
 #include "views/canvas/mapoverlays.h"
 #include "views/canvas/mappicker.h"
 #include "views/canvas/overlays.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/modelpictures.h"
-#include "views/control/shownmap.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/pictures/modelpictures.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 #include "views/ui/preferences.h"
 
 #include <QCborArray>

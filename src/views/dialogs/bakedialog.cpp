@@ -2,7 +2,7 @@
 
 #include "jobs/bakepictures.h"
 #include "model/document/document.h"
-#include "views/control/bakemaptexts.h"
+#include "views/control/pictures/bakemaptexts.h"
 #include "views/ui/dialogsize.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"

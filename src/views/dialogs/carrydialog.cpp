@@ -3,7 +3,7 @@
 #include "jobs/carryplan.h"
 #include "model/document/document.h"
 #include "model/plain/udimtiles.h"
-#include "views/control/proposedfolder.h"
+#include "views/control/session/proposedfolder.h"
 #include "views/ui/questions.h"
 #include "views/ui/reasons.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "views/canvas/toolmanager.h"
-#include "views/control/jobrunner.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/jobrunner.h"
+#include "views/control/session/studiocontext.h"
 #include "views/state/viewstate.h"
 
 #include <QDialog>

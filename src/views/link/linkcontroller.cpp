@@ -1,6 +1,6 @@
 #include "views/link/linkcontroller.h"
 
-#include "views/control/workspace.h"
+#include "views/control/session/workspace.h"
 #include "views/link/linkmerging.h"
 #include "views/ui/preferences.h"
 

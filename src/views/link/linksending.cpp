@@ -1,7 +1,7 @@
 #include "views/link/linksending.h"
 
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/link/linkmerging.h"
 
 #include <QPointer>

@@ -1,7 +1,7 @@
 // Gives maps and marks of the document to other programs.
 #pragma once
 
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 #include "views/link/linkclient.h"
 
 #include <QTimer>

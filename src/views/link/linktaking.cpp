@@ -1,9 +1,9 @@
 #include "views/link/linktaking.h"
 
-#include "views/control/filecontroller.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/link/linkmerging.h"
 
 #include <QGuiApplication>

@@ -3,7 +3,7 @@
 
 #include "link/handedmodel.h"
 #include "model/document/document.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 #include "views/link/linkclient.h"
 
 #include <QElapsedTimer>

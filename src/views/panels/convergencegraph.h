@@ -1,7 +1,7 @@
 // The graph of a running solve: distortion and separation by iteration, or of each definite map.
 #pragma once
 
-#include "views/control/solvercontroller.h"
+#include "views/control/live/solvercontroller.h"
 #include "views/panels/graphaxis.h"
 
 #include <QWidget>

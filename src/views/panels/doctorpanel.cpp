@@ -1,8 +1,8 @@
 #include "views/panels/doctorpanel.h"
 
 #include "model/io/layouts/meshdoctor.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/panels/controls.h"
 #include "views/ui/numbertext.h"
 

@@ -1,6 +1,6 @@
 #include "views/panels/historypanel.h"
 
-#include "views/control/workspace.h"
+#include "views/control/session/workspace.h"
 #include "views/panels/controls.h"
 #include "views/panels/historyview.h"
 

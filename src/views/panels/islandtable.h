@@ -1,7 +1,7 @@
 // The table model of the islands.
 #pragma once
 
-#include "views/control/islandfigures.h"
+#include "views/control/figures/islandfigures.h"
 #include "views/panels/figuretable.h"
 
 namespace autocuts {

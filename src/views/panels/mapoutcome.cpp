@@ -1,7 +1,7 @@
 #include "views/panels/mapoutcome.h"
 
 #include "model/document/document.h"
-#include "views/control/islandfigures.h"
+#include "views/control/figures/islandfigures.h"
 #include "views/ui/numbertext.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // What a map is like, in one line, and what to do next.
 #pragma once
 
-#include "views/control/mapcontroller.h"
+#include "views/control/jobs/mapcontroller.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 #include "views/panels/noticebar.h"
 
 #include "model/document/document.h"
-#include "views/control/workspace.h"
+#include "views/control/session/workspace.h"
 #include "views/ui/icons.h"
 
 #include <QEvent>

@@ -1,8 +1,8 @@
 #include "views/panels/packpanel.h"
 
 #include "model/document/makesnapshot.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/panels/controls.h"
 #include "views/ui/numbertext.h"
 

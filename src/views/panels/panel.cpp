@@ -2,7 +2,7 @@
 
 #include "commands/changesettings.h"
 #include "views/actions/actionregistry.h"
-#include "views/control/workspace.h"
+#include "views/control/session/workspace.h"
 #include "views/ui/inputguard.h"
 #include "views/ui/scrublabel.h"
 

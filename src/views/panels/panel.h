@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands/documentcommand.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -1,8 +1,8 @@
 #include "views/panels/presetmenu.h"
 
 #include "commands/changesettings.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/dialogs/presetdialog.h"
 #include "views/ui/questions.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "jobs/mapsettings.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 #include "views/ui/task.h"
 
 #include <QMenu>

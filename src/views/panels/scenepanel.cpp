@@ -2,9 +2,9 @@
 
 #include "commands/hidefaces.h"
 #include "views/actions/actionregistry.h"
-#include "views/control/filecontroller.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/panels/controls.h"
 #include "views/selecting/selecting.h"
 #include "views/ui/icons.h"

@@ -1,7 +1,7 @@
 // The table model of the objects or materials.
 #pragma once
 
-#include "views/control/scenefigures.h"
+#include "views/control/figures/scenefigures.h"
 #include "views/panels/figuretable.h"
 
 namespace autocuts {

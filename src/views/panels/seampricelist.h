@@ -1,7 +1,7 @@
 // The list of the map's seams with their prices.
 #pragma once
 
-#include "views/control/mapcontroller.h"
+#include "views/control/jobs/mapcontroller.h"
 
 #include <QWidget>
 

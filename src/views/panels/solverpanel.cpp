@@ -1,9 +1,9 @@
 #include "views/panels/solverpanel.h"
 
 #include "views/actions/actionregistry.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/panels/controls.h"
 #include "views/panels/convergencegraph.h"
 #include "views/panels/deltaspinbox.h"

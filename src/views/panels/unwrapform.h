@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/plain/solvesettings.h"
-#include "views/control/mapcontroller.h"
+#include "views/control/jobs/mapcontroller.h"
 
 #include <QWidget>
 

@@ -2,9 +2,9 @@
 
 #include "commands/edituvsets.h"
 #include "views/actions/actionregistry.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/uvsetediting.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/jobs/uvsetediting.h"
+#include "views/control/session/workspace.h"
 #include "views/panels/controls.h"
 #include "views/ui/reasons.h"
 

@@ -1,9 +1,9 @@
 #include "views/panels/viewpanel.h"
 
 #include "views/actions/actionregistry.h"
-#include "views/control/bakemaptexts.h"
-#include "views/control/livebake.h"
-#include "views/control/modelpictures.h"
+#include "views/control/pictures/bakemaptexts.h"
+#include "views/control/pictures/livebake.h"
+#include "views/control/pictures/modelpictures.h"
 #include "views/gl/colormap.h"
 #include "views/gl/letteredpattern.h"
 #include "views/panels/controls.h"

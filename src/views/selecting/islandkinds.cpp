@@ -1,7 +1,7 @@
 #include "views/selecting/islandkinds.h"
 
 #include "model/document/document.h"
-#include "views/control/islandfigures.h"
+#include "views/control/figures/islandfigures.h"
 
 #include <algorithm>
 #include <cmath>

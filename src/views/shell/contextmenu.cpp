@@ -2,8 +2,8 @@
 
 #include "views/actions/actionregistry.h"
 #include "views/actions/menubuilder.h"
-#include "views/control/studiocontext.h"
-#include "views/control/workspace.h"
+#include "views/control/session/studiocontext.h"
+#include "views/control/session/workspace.h"
 #include "views/tools/pickedelements.h"
 
 #include <QMenu>

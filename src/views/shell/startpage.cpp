@@ -2,8 +2,8 @@
 
 #include "model/io/projects/projectfile.h"
 #include "views/actions/actionregistry.h"
-#include "views/control/filecontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/files/filecontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/panels/controls.h"
 #include "views/ui/icons.h"
 #include "views/ui/preferences.h"

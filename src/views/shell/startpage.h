@@ -1,8 +1,8 @@
 // What is shown instead of the views while nothing is open.
 #pragma once
 
-#include "views/control/jobrunner.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/jobrunner.h"
+#include "views/control/session/studiocontext.h"
 
 #include <QWidget>
 

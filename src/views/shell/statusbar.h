@@ -1,7 +1,7 @@
 // The status bar of the window.
 #pragma once
 
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 
 #include <QStatusBar>
 #include <QTimer>

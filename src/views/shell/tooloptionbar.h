@@ -2,7 +2,7 @@
 #pragma once
 
 #include "views/canvas/tooloption.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/studiocontext.h"
 
 #include <QToolBar>
 

@@ -2,8 +2,8 @@
 
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/shownmap.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/studiocontext.h"
 
 #include <QCoreApplication>
 #include <QWheelEvent>

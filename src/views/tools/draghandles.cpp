@@ -4,7 +4,7 @@
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/shownmap.h"
+#include "views/control/session/shownmap.h"
 #include "views/gl/souptopology.h"
 #include "views/selecting/selecting.h"
 #include "views/tools/dragreach.h"

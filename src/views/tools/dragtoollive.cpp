@@ -1,8 +1,8 @@
 // The part of the drag tool for running solves.
 #include "commands/setseamstate.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 #include "views/tools/dragtool.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // The part of the drag tool that tears definite maps.
 #include "commands/setseamstate.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/tearing.h"
-#include "views/control/workspace.h"
+#include "views/control/editing/tearing.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 #include "views/tools/dragtool.h"
 
 #include <utility>

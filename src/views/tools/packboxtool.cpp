@@ -3,8 +3,8 @@
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/mapcontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/jobs/mapcontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/selecting/selecting.h"
 #include "views/tools/snapping.h"
 

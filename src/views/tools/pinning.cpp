@@ -4,8 +4,8 @@
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/shownmap.h"
-#include "views/control/studiocontext.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/studiocontext.h"
 #include "views/gl/soupbuffers.h"
 
 #include <set>

@@ -5,9 +5,9 @@
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 #include "views/tools/dragreach.h"
 #include "views/tools/pinning.h"
 

@@ -1,7 +1,7 @@
 #include "views/tools/rectanglebar.h"
 
 #include "model/document/islandcolor.h"
-#include "views/control/workspace.h"
+#include "views/control/session/workspace.h"
 #include "views/selecting/selecting.h"
 #include "views/tools/rectangles.h"
 #include "views/ui/icons.h"

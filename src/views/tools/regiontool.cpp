@@ -3,10 +3,10 @@
 #include "commands/setuvs.h"
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/cleanfaces.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/editing/cleanfaces.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/shownmap.h"
+#include "views/control/session/workspace.h"
 #include "views/tools/pickedelements.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "model/plain/types.h"
 #include "views/canvas/abstracttool.h"
-#include "views/control/jobrunner.h"
+#include "views/control/session/jobrunner.h"
 
 #include <QPointer>
 

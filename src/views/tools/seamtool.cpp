@@ -3,8 +3,8 @@
 #include "model/document/selectiontools.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
+#include "views/control/live/solvercontroller.h"
+#include "views/control/session/workspace.h"
 #include "views/tools/tooldrawing.h"
 
 #include <QPainter>

@@ -3,7 +3,7 @@
 
 #include "commands/setseamstate.h"
 #include "views/canvas/abstracttool.h"
-#include "views/control/energygain.h"
+#include "views/control/live/energygain.h"
 #include "views/tools/seampath.h"
 
 #include <QPointer>

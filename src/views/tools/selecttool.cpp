@@ -2,7 +2,7 @@
 
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/workspace.h"
+#include "views/control/session/workspace.h"
 
 #include <QPainter>
 #include <QWheelEvent>

@@ -3,7 +3,7 @@
 #include "commands/documentcommand.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
-#include "views/control/workspace.h"
+#include "views/control/session/workspace.h"
 #include "views/tools/tooldrawing.h"
 
 #include <QKeyEvent>
