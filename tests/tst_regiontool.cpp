@@ -6,6 +6,7 @@
 #include "support/editsupport.h"
 #include "support/patience.h"
 #include "views/control/editing/cleanfaces.h"
+#include "views/ui/task.h"
 
 #include <QTest>
 
@@ -203,7 +204,7 @@ private Q_SLOTS:
         QTest::keyClick(&mStudio->uv, Qt::Key_Escape);
         QVERIFY(!tool.isBusy());
         QCOMPARE(mStudio->uv.cursor().shape(), Qt::ArrowCursor);
-        QTest::qWait(200);
+        Task::waitForAll();
         QVERIFY(document().selection().isEmpty());
         clickFace(20);
         QVERIFY(!document().selection().isEmpty());
