@@ -5370,13 +5370,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
 </context>
 <context>
-    <name>autocuts::JobRunner</name>
-    <message>
-        <source>There is not enough memory. Close other programs or use a smaller model.</source>
-        <translation>Es ist nicht genug Speicher da. Schließen Sie andere Programme oder nehmen Sie ein kleineres Modell.</translation>
-    </message>
-</context>
-<context>
     <name>autocuts::KeyField</name>
     <message>
         <source>Press a key...</source>
@@ -6057,10 +6050,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Wird vernäht</translation>
     </message>
     <message>
-        <source>Measuring</source>
-        <translation>Wird gemessen</translation>
-    </message>
-    <message>
         <source>The faces are turned over in the map and cannot be solved</source>
         <translation>Die Flächen sind in der Map umgedreht und lassen sich nicht berechnen</translation>
     </message>
@@ -6359,10 +6348,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>%1 % der Texel gehören mehreren Flächen und zeigen die erste</translation>
     </message>
     <message>
-        <source>Baking</source>
-        <translation>Backen</translation>
-    </message>
-    <message>
         <source>Textures that cannot be read: %1</source>
         <translation>Texturen, die nicht gelesen werden können: %1</translation>
     </message>
@@ -6409,10 +6394,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Die UV-Map oder ihre Texturen wurden inzwischen bearbeitet: die neuen Bilder sind geschrieben, werden aber nicht gezeigt</translation>
     </message>
     <message>
-        <source>Carrying textures over</source>
-        <translation>Texturen werden übertragen</translation>
-    </message>
-    <message>
         <source>Cancelled: no light was baked</source>
         <translation>Abgebrochen: es wurde kein Licht gebacken</translation>
     </message>
@@ -6423,10 +6404,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Baked light into %1</source>
         <translation>Licht gebacken, in %1</translation>
-    </message>
-    <message>
-        <source>Baking light</source>
-        <translation>Licht wird gebacken</translation>
     </message>
     <message>
         <source>%1. Hidden faces stay as they were</source>
@@ -6648,10 +6625,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Fertig: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
     </message>
     <message>
-        <source>%1. The UV set %2 is the active one now</source>
-        <translation>%1. Der UV-Satz %2 ist jetzt der aktive</translation>
-    </message>
-    <message>
         <source>%1 was ended: the map was edited meanwhile</source>
         <translation>%1 wurde beendet: die Map wurde inzwischen bearbeitet</translation>
     </message>
@@ -6726,6 +6699,13 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Check its name in the file</source>
         <translation>Prüfen Sie seinen Namen in der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::MapMeasuring</name>
+    <message>
+        <source>Measuring</source>
+        <translation>Wird gemessen</translation>
     </message>
 </context>
 <context>
@@ -7196,6 +7176,25 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>&amp;Replace</source>
         <translation>&amp;Ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::PictureController</name>
+    <message>
+        <source>Baking</source>
+        <translation>Backen</translation>
+    </message>
+    <message>
+        <source>Carrying textures over</source>
+        <translation>Texturen werden übertragen</translation>
+    </message>
+    <message>
+        <source>Baking light</source>
+        <translation>Licht wird gebacken</translation>
+    </message>
+    <message>
+        <source>%1. The UV set %2 is the active one now</source>
+        <translation>%1. Der UV-Satz %2 ist jetzt der aktive</translation>
     </message>
 </context>
 <context>
@@ -8542,17 +8541,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
 </context>
 <context>
-    <name>autocuts::SessionSaver</name>
-    <message>
-        <source>there is not enough memory to save the session</source>
-        <translation>es ist nicht genug Speicher da, um die Sitzung zu speichern</translation>
-    </message>
-    <message>
-        <source>Close other programs</source>
-        <translation>Schließen Sie andere Programme</translation>
-    </message>
-</context>
-<context>
     <name>autocuts::ShapeTool</name>
     <message>
         <source>Grab</source>
@@ -9280,6 +9268,13 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Type a name first</source>
         <translation>Zuerst einen Namen eingeben</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::Task</name>
+    <message>
+        <source>There is not enough memory. Close other programs or use a smaller model.</source>
+        <translation>Es ist nicht genug Speicher da. Schließen Sie andere Programme oder nehmen Sie ein kleineres Modell.</translation>
     </message>
 </context>
 <context>
