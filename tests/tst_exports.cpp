@@ -3,8 +3,8 @@
 #include "model/io/meshes/meshfile.h"
 #include "support/filedesk.h"
 #include "views/actions/fileactions.h"
+#include "views/control/mapjobs/picturejobs.h"
 #include "views/control/session/jobrunner.h"
-#include "views/control/work/picturejobs.h"
 
 #include <QFileInfo>
 #include <QImage>

@@ -43,7 +43,7 @@ const std::vector<Layer> layers{
     {"cli", {"", "manyfiles", "program"}, {"model", "commands", "solver", "jobs"}},
     // Only views/control may include solver/: see mayInclude().
     {"views",
-     {"ui", "state", "gl", "control/session", "control/figures", "control/work", "control/live",
+     {"ui", "state", "gl", "control/session", "control/figures", "control/mapjobs", "control/live",
       "control/files", "control/jobs", "control/pictures", "control/editing", "selecting", "canvas", "tools",
       "dialogs", "actions", "link", "panels", "shell"},
      {"model", "commands", "jobs", "link"}},

@@ -11,7 +11,7 @@
 #include "solver/unwrap/unwrap.h"
 #include "support/mapstudio.h"
 #include "support/meshbuilders.h"
-#include "views/control/work/mapjobs.h"
+#include "views/control/mapjobs/mapjobs.h"
 
 #include <cstring>
 #include <numeric>

@@ -14,10 +14,10 @@
 #include "support/patience.h"
 #include "views/control/files/filecontroller.h"
 #include "views/control/live/solvercontroller.h"
+#include "views/control/mapjobs/picturejobs.h"
 #include "views/control/session/jobrunner.h"
 #include "views/control/session/shownmap.h"
 #include "views/control/session/workspace.h"
-#include "views/control/work/picturejobs.h"
 #include "views/ui/preferences.h"
 
 #include <QDir>

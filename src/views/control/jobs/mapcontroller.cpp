@@ -7,9 +7,9 @@
 #include "model/io/pictures/texturefiles.h"
 #include "solver/overlap/overlapseparation.h"
 #include "views/control/live/solvercontroller.h"
+#include "views/control/mapjobs/mapjobs.h"
+#include "views/control/mapjobs/transferjobs.h"
 #include "views/control/session/workspace.h"
-#include "views/control/work/mapjobs.h"
-#include "views/control/work/transferjobs.h"
 
 #include <QScopedValueRollback>
 

@@ -5,9 +5,9 @@
 #include "model/document/uvsetorder.h"
 #include "views/control/jobs/mapcontroller.h"
 #include "views/control/live/solvercontroller.h"
+#include "views/control/mapjobs/mapjobs.h"
+#include "views/control/mapjobs/picturejobs.h"
 #include "views/control/session/workspace.h"
-#include "views/control/work/mapjobs.h"
-#include "views/control/work/picturejobs.h"
 
 #include <QImage>
 

@@ -4,9 +4,9 @@
 #include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
 #include "solver/packing/packmap.h"
+#include "views/control/mapjobs/mapjobs.h"
 #include "views/control/session/shownmap.h"
 #include "views/control/session/workspace.h"
-#include "views/control/work/mapjobs.h"
 #include "views/ui/numbertext.h"
 
 namespace autocuts {

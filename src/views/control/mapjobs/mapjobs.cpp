@@ -1,4 +1,4 @@
-#include "views/control/work/mapjobs.h"
+#include "views/control/mapjobs/mapjobs.h"
 
 #include "jobs/jobtexts.h"
 #include "model/plain/uvlayout.h"

@@ -5,7 +5,7 @@
 #include "solver/homotopy/localsolve.h"
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/aligning.h"
-#include "views/control/work/mapjobs.h"
+#include "views/control/mapjobs/mapjobs.h"
 
 #include <QCoreApplication>
 

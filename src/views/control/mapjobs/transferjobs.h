@@ -3,7 +3,7 @@
 
 #include "jobs/transferchoice.h"
 #include "model/document/scene.h"
-#include "views/control/work/mapjobs.h"
+#include "views/control/mapjobs/mapjobs.h"
 
 namespace autocuts {
 

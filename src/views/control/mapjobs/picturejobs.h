@@ -5,7 +5,7 @@
 #include "jobs/bakechoice.h"
 #include "jobs/carrychoice.h"
 #include "jobs/lightchoice.h"
-#include "views/control/work/mapjobs.h"
+#include "views/control/mapjobs/mapjobs.h"
 
 #include <QImage>
 

@@ -1,4 +1,4 @@
-#include "views/control/work/transferjobs.h"
+#include "views/control/mapjobs/transferjobs.h"
 
 #include "jobs/jobtexts.h"
 #include "jobs/transferuvs.h"

@@ -2,7 +2,7 @@
 #include "model/plain/uvlayout.h"
 #include "solver/definite/ripping.h"
 #include "solver/definite/seamstitching.h"
-#include "views/control/work/mapjobs.h"
+#include "views/control/mapjobs/mapjobs.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -1,4 +1,4 @@
-#include "views/control/work/picturejobs.h"
+#include "views/control/mapjobs/picturejobs.h"
 
 #include "commands/replay.h"
 #include "jobs/bakelight.h"
