@@ -114,55 +114,45 @@ QByteArray transferJson(const std::optional<transfer::TransferFigures> &figures)
     return writer.finish();
 }
 
-QByteArray listJson(const QStringList &list)
+//! \param textOf gives the JSON of an item
+template <class Items, class TextOf>
+QByteArray listJson(const Items &items, TextOf textOf)
 {
     QByteArray text = "[";
-    for (const QString &item : list)
-        text += (text.size() > 1 ? ",\n    " : "\n    ") + jsonText(item);
-    return list.isEmpty() ? QByteArray("[]") : text + "\n  ]";
+    for (const auto &item : items)
+        text += (text.size() > 1 ? ",\n    " : "\n    ") + textOf(item);
+    return items.empty() ? QByteArray("[]") : text + "\n  ]";
 }
 
-QByteArray partsJson(const std::vector<MapReport::Part> &parts)
+QByteArray partJson(const MapReport::Part &part)
 {
-    QByteArray text = "[";
-    for (const MapReport::Part &part : parts) {
-        ObjectWriter writer(2);
-        writer.add("name", part.name);
-        writer.add("faces", MapReport::Count(part.faces));
-        writer.add("charts", MapReport::Count(part.charts));
-        writer.add("sym_dirichlet", part.symDirichlet);
-        writer.add("texel_density", part.texelDensity);
-        writer.add("packing_efficiency", part.packingEfficiency);
-        text += (text.size() > 1 ? ",\n    " : "\n    ") + writer.finish();
-    }
-    return parts.empty() ? QByteArray("[]") : text + "\n  ]";
+    ObjectWriter writer(2);
+    writer.add("name", part.name);
+    writer.add("faces", MapReport::Count(part.faces));
+    writer.add("charts", MapReport::Count(part.charts));
+    writer.add("sym_dirichlet", part.symDirichlet);
+    writer.add("texel_density", part.texelDensity);
+    writer.add("packing_efficiency", part.packingEfficiency);
+    return writer.finish();
 }
 
-QByteArray tilesJson(const std::vector<MapReport::Tile> &tiles)
+QByteArray tileJson(const MapReport::Tile &tile)
 {
-    QByteArray text = "[";
-    for (const MapReport::Tile &tile : tiles) {
-        ObjectWriter writer(2);
-        writer.add("tile", tile.number);
-        writer.add("faces", MapReport::Count(tile.faces));
-        writer.add("charts", MapReport::Count(tile.charts));
-        writer.add("texel_density", tile.texelDensity);
-        writer.add("packing_efficiency", tile.packingEfficiency);
-        text += (text.size() > 1 ? ",\n    " : "\n    ") + writer.finish();
-    }
-    return tiles.empty() ? QByteArray("[]") : text + "\n  ]";
+    ObjectWriter writer(2);
+    writer.add("tile", tile.number);
+    writer.add("faces", MapReport::Count(tile.faces));
+    writer.add("charts", MapReport::Count(tile.charts));
+    writer.add("texel_density", tile.texelDensity);
+    writer.add("packing_efficiency", tile.packingEfficiency);
+    return writer.finish();
 }
 
-QByteArray offTileJson(const std::vector<MapReport::OffTile> &islands)
+QByteArray offTileJson(const MapReport::OffTile &island)
 {
-    QByteArray text = "[";
-    for (const MapReport::OffTile &own : islands) {
-        ObjectWriter writer(2);
-        writer.add("island", own.island);
-        writer.add("tile", own.tile);
-        text += (text.size() > 1 ? ",\n    " : "\n    ") + writer.finish();
-    }
-    return islands.empty() ? QByteArray("[]") : text + "\n  ]";
+    ObjectWriter writer(2);
+    writer.add("island", island.island);
+    writer.add("tile", island.tile);
+    return writer.finish();
 }
 
 void addStableKeys(ObjectWriter &writer, const MapReport &report)
@@ -228,13 +218,13 @@ QByteArray reportJson(const MapReport &report)
     ObjectWriter writer(0);
     addStableKeys(writer, report);
     addFurtherKeys(writer, report);
-    writer.addRaw("objects", partsJson(report.objects));
-    writer.addRaw("materials", partsJson(report.materials));
-    writer.addRaw("tiles", tilesJson(report.tiles));
-    writer.addRaw("islands_off_tile", offTileJson(report.offTile));
+    writer.addRaw("objects", listJson(report.objects, partJson));
+    writer.addRaw("materials", listJson(report.materials, partJson));
+    writer.addRaw("tiles", listJson(report.tiles, tileJson));
+    writer.addRaw("islands_off_tile", listJson(report.offTile, offTileJson));
     writer.addRaw("mesh", meshJson(report.mesh));
     writer.addRaw("transfer", transferJson(report.transfer));
-    writer.addRaw("notes", listJson(report.notes));
+    writer.addRaw("notes", listJson(report.notes, jsonText));
     return writer.finish() + '\n';
 }
 
