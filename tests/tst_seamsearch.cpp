@@ -1,6 +1,7 @@
 // The automatic cutter: its linear algebra, its trials, and what it must never do to a map.
 #include "solver/definite/relaxing.h"
 #include "solver/search/blockcholesky.h"
+#include "solver/search/patchkernel.h"
 #include "solver/search/seamoptimizer.h"
 #include "solver/search/seamsearch.h"
 #include "solver/search/seamseeds.h"
@@ -191,6 +192,60 @@ private Q_SLOTS:
         // Turned over: no energy.
         const std::array<double, 6> flipped{0, 0, 0, 1, 1, 0};
         QVERIFY(std::isinf(triangleEnergy(flipped.data(), soup->basis[0])));
+    }
+
+    //! Also at an isometry, where two singular values are equal, and in the places after the last triangle.
+    void severalTrianglesAtOnceHaveTheBitsOfEach_data()
+    {
+        QTest::addColumn<bool>("rigid");
+        QTest::newRow("free") << false;
+        QTest::newRow("rigid") << true;
+    }
+    void severalTrianglesAtOnceHaveTheBitsOfEach()
+    {
+        QFETCH(bool, rigid);
+        const auto soup = Soup::build(test::sphere(6, 8));
+        const std::size_t count = 2 * triangleLanes + 3;
+        Random random(5);
+        std::vector<TriangleBlock> blocks(3);
+        std::vector<int> point;
+        std::vector<double> position;
+        const auto stiffness = [&](std::size_t t) { return rigid ? 1.5 + double(t) : 1; };
+        for (std::size_t t = 0; t < triangleLanes * blocks.size(); ++t) {
+            const std::size_t source = std::min(t, count - 1);
+            TriangleBlock &block = blocks[t / triangleLanes];
+            for (std::size_t i = 0; i < 6; ++i)
+                block.basis[i][t % triangleLanes] = soup->basis[source][i];
+            block.weight[t % triangleLanes] = soup->weight[source];
+            block.stiffness[t % triangleLanes] = stiffness(source);
+        }
+        for (std::size_t t = 0; t < count; ++t) {
+            for (std::size_t i = 0; i < 6; ++i) {
+                const double noise = t == 1 ? 0 : 0.1 * soup->meanEdgeLength * random.uniform(-1, 1);
+                position.push_back(soup->restShape[t][i] + noise);
+            }
+            for (int k = 0; k < 3; ++k)
+                point.push_back(static_cast<int>(point.size()));
+        }
+        std::vector<double> energies(triangleLanes * blocks.size());
+        blockEnergies(blocks, point, position, rigid, energies);
+        for (std::size_t t = 0; t < count; ++t) {
+            const double *p = &position[6 * t];
+            const double density = triangleEnergy(p, soup->basis[t]);
+            QVERIFY(energies[t] == soup->weight[t] * (rigid ? 4 + stiffness(t) * (density - 4) : density));
+            double gradient[6], hessian[21];
+            triangleDerivatives(p, soup->basis[t], stiffness(t) * soup->weight[t], gradient, hessian);
+            BlockDerivatives all;
+            blockDerivatives(blocks, t / triangleLanes, point, position, all);
+            for (int i = 0; i < 6; ++i)
+                QVERIFY(all.gradient[i][t % triangleLanes] == gradient[i]);
+            for (int i = 0; i < 21; ++i)
+                QVERIFY(all.hessian[i][t % triangleLanes] == hessian[i]);
+        }
+        std::swap(position[0], position[2]);
+        std::swap(position[1], position[3]);
+        blockEnergies(blocks, point, position, rigid, energies);
+        QVERIFY(std::isinf(energies[0]) && std::isfinite(energies[1]));
     }
 
     void segmentsCross()

@@ -1,5 +1,7 @@
 #include "solver/search/blockcholesky.h"
 
+#include "solver/base/simd.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -77,6 +79,7 @@ int BlockCholesky::place(int row, int column) const
     return static_cast<int>(std::lower_bound(first, last, column) - mColumn.begin());
 }
 
+AUTOCUTS_CLONES
 bool BlockCholesky::factorize(const JobContext &job)
 {
     constexpr int rowsPerLook = 256; // a row takes microseconds at the sizes of a seam search
@@ -86,23 +89,22 @@ bool BlockCholesky::factorize(const JobContext &job)
             return false;
         for (int p = mRowStart[k]; p < mRowStart[k + 1]; ++p) {
             const Block &v = mValue[p];
-            mWork[mColumn[p]] = {Pair{v[0], v[1]}, Pair{v[2], v[3]}};
+            mWork[mColumn[p]].both = Quad{v[0], v[1], v[2], v[3]};
         }
         double d00 = mDiagonal[k][0], d10 = mDiagonal[k][2], d11 = mDiagonal[k][3];
         for (int p = mPatternStart[k]; p < mPatternStart[k + 1]; ++p) {
             const int j = mPattern[p];
-            const Rows y = mWork[j];
+            const Quad y = mWork[j].both;
             mWork[j] = Rows{};
             const Block &q = mPivot[j];
-            const double a = y.first[0] * q[0], b = y.first[0] * q[2] + y.first[1] * q[3];
-            const double c = y.second[0] * q[0], d = y.second[0] * q[2] + y.second[1] * q[3];
-            const Pair aa{a, a}, bb{b, b}, cc{c, c}, dd{d, d};
+            const double a = y[0] * q[0], b = y[0] * q[2] + y[1] * q[3];
+            const double c = y[2] * q[0], d = y[2] * q[2] + y[3] * q[3];
+            const Quad aacc{a, a, c, c}, bbdd{b, b, d, d};
             const int end = mFilled[j]++;
             for (int i = mColumnStart[j]; i < end; ++i) {
-                Rows &w = mWork[mRowIndex[i]];
                 const Columns &l = mFactor[i];
-                w.first -= aa * l.first + bb * l.second;
-                w.second -= cc * l.first + dd * l.second;
+                mWork[mRowIndex[i]].both -= aacc * __builtin_shufflevector(l.first, l.first, 0, 1, 0, 1) +
+                                            bbdd * __builtin_shufflevector(l.second, l.second, 0, 1, 0, 1);
             }
             mRowIndex[end] = k;
             mFactor[end] = {Pair{a, c}, Pair{b, d}};

@@ -40,13 +40,14 @@ public:
     void solve(double *b) const;
 
 private:
-    //! SIMD vector of two numbers.
+    //! SIMD vectors of two and of four numbers.
     using Pair = double __attribute__((vector_size(2 * sizeof(double))));
-    struct Rows
+    using Quad = double __attribute__((vector_size(4 * sizeof(double))));
+    struct alignas(4 * sizeof(double)) Rows
     {
-        Pair first, second; //!< rows of a 2 x 2 block
+        Quad both; //!< a 2 x 2 block, row by row
     };
-    struct Columns
+    struct alignas(4 * sizeof(double)) Columns
     {
         Pair first, second; //!< columns of a 2 x 2 block
     };

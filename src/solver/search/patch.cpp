@@ -59,6 +59,23 @@ void Patch::select(const CutState &state, std::span<const int> seeds, int size)
             }
         }
     }
+    loadBlocks();
+}
+
+void Patch::loadBlocks()
+{
+    const Soup &soup = *mGraph->soup;
+    const std::size_t count = mTriangles.size();
+    mBlocks.resize((count + triangleLanes - 1) / triangleLanes);
+    for (std::size_t i = 0; i < triangleLanes * mBlocks.size(); ++i) {
+        TriangleBlock &block = mBlocks[i / triangleLanes];
+        const std::size_t lane = i % triangleLanes;
+        const int t = mTriangles[std::min(i, count - 1)];
+        for (int k = 0; k < 6; ++k)
+            block.basis[k][lane] = soup.basis[t][k];
+        block.weight[lane] = soup.weight[t];
+        block.stiffness[lane] = mGraph->stiffness(t);
+    }
 }
 
 //! Numbers the points: corners that are connected over uncut edges form one point.

@@ -4,6 +4,7 @@
 #include "solver/base/jobcontext.h"
 #include "solver/search/blockcholesky.h"
 #include "solver/search/cutstate.h"
+#include "solver/search/patchkernel.h"
 #include "solver/search/segments.h"
 
 #include <functional>
@@ -81,10 +82,13 @@ private:
     void numberUnknowns();
     void addSidesAround();
     void addObstacles();
+    void loadBlocks();
     double energyAt(const std::vector<double> &position) const;
     double springEnergy(const std::vector<double> &position) const;
     void assemble();
     void assembleTriangles();
+    template <int stride>
+    void assembleTriangle(std::size_t i, const double *g, const double *h);
     void assembleSprings();
     bool solve(const JobContext &job);
     double flipFreeStep(double limit) const;
@@ -92,11 +96,12 @@ private:
 
     std::shared_ptr<const SeamGraph> mGraph;
     std::vector<int> mTriangles;
-    std::vector<int> mLocal;       //!< per triangle of the mesh: index in mTriangles, -1 outside
-    std::vector<int> mPoint;       //!< per local corner: its point
-    std::vector<int> mParent;      //!< union-find over local corners
-    std::vector<double> mPosition; //!< per point: u, v in solver units
-    bool mNumbered = false;        //!< mUnknown holds rows
+    std::vector<int> mLocal;            //!< per triangle of the mesh: index in mTriangles, -1 outside
+    std::vector<TriangleBlock> mBlocks; //!< of mTriangles
+    std::vector<int> mPoint;            //!< per local corner: its point
+    std::vector<int> mParent;           //!< union-find over local corners
+    std::vector<double> mPosition;      //!< per point: u, v in solver units
+    bool mNumbered = false;             //!< mUnknown holds rows
     std::vector<int> mUnknown; //!< per point: its block row in mSystem; -1 when held, before numbering too
     std::vector<int> mPointVertex;           //!< per point: vertex of the uncut surface
     std::vector<std::array<int, 3>> mPlace;  //!< per local triangle: places of blocks (1,0), (2,0), (2,1)
@@ -111,7 +116,8 @@ private:
     double mStiffness = 0;
     BlockCholesky mSystem;
     std::vector<double> mGradient, mDirection, mTrial;
-    std::vector<char> mFrozen; //!< per unknown: held during this step because of a crossing
+    mutable std::vector<double> mEnergies; //!< scratch
+    std::vector<char> mFrozen;             //!< per unknown: held during this step because of a crossing
     Segments mSegments;
     bool mSegmentsKnown = false;
     bool mCoversCharts = false; //!< the patch is made of whole charts

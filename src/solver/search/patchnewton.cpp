@@ -17,6 +17,13 @@ constexpr int maxHalvings = 12; // of the step length; chosen by hand
 double Patch::energyAt(const std::vector<double> &position) const
 {
     double sum = 0;
+    if (mGraph->hasPlainEnergy()) {
+        mEnergies.resize(triangleLanes * mBlocks.size());
+        blockEnergies(mBlocks, mPoint, position, mGraph->rigid != nullptr, mEnergies);
+        for (std::size_t i = 0; i < mTriangles.size(); ++i)
+            sum += mEnergies[i];
+        return sum;
+    }
     for (std::size_t i = 0; i < mTriangles.size(); ++i) {
         double p[6];
         for (int k = 0; k < 3; ++k) {
@@ -73,49 +80,65 @@ void Patch::assemble()
 
 void Patch::assembleTriangles()
 {
-    double gradient[6], h[21];
+    if (mGraph->hasPlainEnergy()) {
+        BlockDerivatives derivatives;
+        const auto *gradient = reinterpret_cast<const double *>(derivatives.gradient);
+        const auto *hessian = reinterpret_cast<const double *>(derivatives.hessian);
+        for (std::size_t block = 0; block < mBlocks.size(); ++block) {
+            blockDerivatives(mBlocks, block, mPoint, mPosition, derivatives);
+            const std::size_t first = triangleLanes * block;
+            for (std::size_t i = first; i < std::min(first + triangleLanes, mTriangles.size()); ++i)
+                assembleTriangle<triangleLanes>(i, gradient + (i - first), hessian + (i - first));
+        }
+        return;
+    }
+    double gradient[6], hessian[21];
     for (std::size_t i = 0; i < mTriangles.size(); ++i) {
-        const int *point = &mPoint[3 * i];
-        int unknown[3];
         double p[6];
-        bool any = false;
         for (int k = 0; k < 3; ++k) {
-            unknown[k] = mUnknown[point[k]];
-            any |= unknown[k] >= 0;
-            p[2 * k] = mPosition[2 * point[k]];
-            p[2 * k + 1] = mPosition[2 * point[k] + 1];
+            const double *q = &mPosition[2 * mPoint[3 * i + k]];
+            p[2 * k] = q[0];
+            p[2 * k + 1] = q[1];
         }
-        if (!any)
+        mState->derivativesOf(mTriangles[i], p, gradient, hessian);
+        assembleTriangle<1>(i, gradient, hessian);
+    }
+}
+
+//! Adds the derivatives of a triangle to the system. \param g,h see dirichletDerivatives(), every stride-th
+//! number
+template <int stride>
+void Patch::assembleTriangle(std::size_t i, const double *g, const double *h)
+{
+    const int unknown[3] = {mUnknown[mPoint[3 * i]], mUnknown[mPoint[3 * i + 1]],
+                            mUnknown[mPoint[3 * i + 2]]};
+    // Per corner: where the two rows of its diagonal block start in the packed lower triangle h.
+    static constexpr int first[3][2] = {{0, 1}, {5, 8}, {14, 19}};
+    for (int k = 0; k < 3; ++k) {
+        if (unknown[k] < 0)
             continue;
-        mState->derivativesOf(mTriangles[i], p, gradient, h);
-        // Per corner: where the two rows of its diagonal block start in the packed lower triangle h.
-        static constexpr int first[3][2] = {{0, 1}, {5, 8}, {14, 19}};
-        for (int k = 0; k < 3; ++k) {
-            if (unknown[k] < 0)
-                continue;
-            mGradient[2 * unknown[k]] += gradient[2 * k];
-            mGradient[2 * unknown[k] + 1] += gradient[2 * k + 1];
-            BlockCholesky::Block &d = mSystem.diagonal(unknown[k]);
-            d[0] += h[first[k][0]];
-            d[2] += h[first[k][1]];
-            d[3] += h[first[k][1] + 1];
-        }
-        // Per block: corners k and l, then where its rows 2k and 2k + 1 start at column 2l in h.
-        static constexpr int pairs[3][4] = {{1, 0, 3, 6}, {2, 0, 10, 15}, {2, 1, 12, 17}};
-        for (int n = 0; n < 3; ++n) {
-            if (mPlace[i][n] < 0)
-                continue;
-            const int k = pairs[n][0], l = pairs[n][1], top = pairs[n][2], low = pairs[n][3];
-            BlockCholesky::Block &d = mSystem.offDiagonal(mPlace[i][n]);
-            d[0] += h[top];
-            d[3] += h[low + 1];
-            if (unknown[k] > unknown[l]) {
-                d[1] += h[top + 1];
-                d[2] += h[low];
-            } else {
-                d[1] += h[low];
-                d[2] += h[top + 1];
-            }
+        mGradient[2 * unknown[k]] += g[stride * (2 * k)];
+        mGradient[2 * unknown[k] + 1] += g[stride * (2 * k + 1)];
+        BlockCholesky::Block &d = mSystem.diagonal(unknown[k]);
+        d[0] += h[stride * first[k][0]];
+        d[2] += h[stride * first[k][1]];
+        d[3] += h[stride * (first[k][1] + 1)];
+    }
+    // Per block: corners k and l, then where its rows 2k and 2k + 1 start at column 2l in h.
+    static constexpr int pairs[3][4] = {{1, 0, 3, 6}, {2, 0, 10, 15}, {2, 1, 12, 17}};
+    for (int n = 0; n < 3; ++n) {
+        if (mPlace[i][n] < 0)
+            continue;
+        const int k = pairs[n][0], l = pairs[n][1], top = pairs[n][2], low = pairs[n][3];
+        BlockCholesky::Block &d = mSystem.offDiagonal(mPlace[i][n]);
+        d[0] += h[stride * top];
+        d[3] += h[stride * (low + 1)];
+        if (unknown[k] > unknown[l]) {
+            d[1] += h[stride * (top + 1)];
+            d[2] += h[stride * low];
+        } else {
+            d[1] += h[stride * low];
+            d[2] += h[stride * (top + 1)];
         }
     }
 }
