@@ -90,7 +90,7 @@ private Q_SLOTS:
         const auto looksOn = [&](int mapsToSee) {
             const int enough = maps + mapsToSee, few = seen + 3;
             const bool saw = QTest::qWaitFor([&] { return maps >= enough && seen > few; }, test::patience);
-            QTest::qWait(1500);
+            (void)QTest::qWaitFor([&] { return maps > enough && seen > few + 30; }, 1500);
             return saw;
         };
         studio.press(Qt::Key_Space);

@@ -7,6 +7,7 @@
 #include "solver/unwrap/unwrap.h"
 #include "support/mapstudio.h"
 #include "support/meshbuilders.h"
+#include "support/timers.h"
 
 namespace tst_jobsandedits {
 
@@ -99,7 +100,7 @@ private Q_SLOTS:
         studio.map.cancel();
         QVERIFY(studio.ends());
         QVERIFY(!studio.map.isPreviewing());
-        QTest::qWait(600);
+        QVERIFY(test::timersRest(studio.map)); // so that no edit is taken up any more
         QVERIFY(!studio.map.jobs().isBusy());
     }
 

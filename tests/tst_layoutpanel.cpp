@@ -3,6 +3,7 @@
 #include "commands/setuvs.h"
 #include "support/editsupport.h"
 #include "support/panelbench.h"
+#include "support/timers.h"
 #include "views/panels/layoutpanel.h"
 #include "views/state/viewstate.h"
 #include "views/ui/scrublabel.h"
@@ -69,7 +70,7 @@ struct LayoutBench : test::PanelBench
         box->selectAll();
         QTest::keyClicks(box, text);
         QTest::keyClick(box, Qt::Key_Return);
-        QTest::qWait(600); // the gesture is over
+        QVERIFY(test::timersRest(panel)); // the gesture is over
     }
     Eigen::AlignedBox2d box(int island) { return document().islands().box(island); }
 };
@@ -172,7 +173,7 @@ private Q_SLOTS:
         QCOMPARE(ScrubLabel::gesture(), quint64(0));
         QTRY_COMPARE(bench.shown("positionU"), 1.7);
         QCOMPARE(bench.stack().count(), 1);
-        QTest::qWait(600);
+        QVERIFY(test::timersRest(bench.panel)); // the gesture is over
         bench.stack().undo();
         QVERIFY(bench.document().uv() == looseSquares(bench.document().mesh()));
     }

@@ -153,8 +153,8 @@ private Q_SLOTS:
     void everyMapIsValidAndTheLastOneIsGood()
     {
         QFETCH(QString, name);
-        const test::MeshPtr mesh = name == QLatin1String("sphere")  ? test::sphere(20, 24)
-                                   : name == QLatin1String("torus") ? test::torus(24, 12)
+        const test::MeshPtr mesh = name == QLatin1String("sphere")  ? test::sphere(12, 16)
+                                   : name == QLatin1String("torus") ? test::torus(18, 10)
                                                                     : test::meshNamed(name);
         Bench bench(mesh);
         bench.start();
@@ -212,7 +212,7 @@ private Q_SLOTS:
 
     void aTighterBoundIsMet()
     {
-        Bench bench(test::sphere(16, 20));
+        Bench bench(test::sphere(12, 16));
         bench.start();
         QVERIFY(bench.comesToRest());
         QVERIFY(bench.maps.back()->distortion > 4.03);
@@ -322,7 +322,7 @@ private Q_SLOTS:
     //! What was found before a pause is where it goes on.
     void itGoesOnAfterAPause()
     {
-        Bench bench(test::sphere(20, 24));
+        Bench bench(test::sphere(12, 16));
         bench.start();
         QVERIFY(bench.waitFor([&] { return !bench.maps.empty() && bench.maps.back()->withinBound; }));
         bench.keeper->pause();
@@ -340,7 +340,7 @@ private Q_SLOTS:
 
     void cutsAndJoinsAreObeyed()
     {
-        Bench bench(test::sphere(24, 32));
+        Bench bench(test::sphere(14, 18));
         bench.start();
         QVERIFY(bench.comesToRest());
         const std::vector<int> cuts = edgesOf(bench.maps.back(), false, 12);
@@ -371,7 +371,7 @@ private Q_SLOTS:
 
     void pinsAndRectanglesAreObeyed()
     {
-        Bench bench(test::sphere(16, 20));
+        Bench bench(test::sphere(12, 16));
         bench.start();
         QVERIFY(bench.comesToRest());
         bench.startFrom(bench.maps.back()->uv);
@@ -443,7 +443,7 @@ private Q_SLOTS:
 
     void aPulledMapFollowsAndComesBack()
     {
-        Bench bench(test::sphere(16, 20));
+        Bench bench(test::sphere(12, 16));
         bench.start();
         QVERIFY(bench.comesToRest());
         bench.startFrom(bench.maps.back()->uv);

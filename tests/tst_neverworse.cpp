@@ -144,7 +144,8 @@ private Q_SLOTS:
             studio.press(Qt::Key_Space);
             QVERIFY(QTest::qWaitFor([&] { return seen > 3 || !studio.context.solver.isRunning(); },
                                     test::patience));
-            QTest::qWait(2000); // a bounded look, nothing is waited for
+            // A bounded look at what comes next.
+            (void)QTest::qWaitFor([&] { return seen > 6 || !studio.context.solver.isRunning(); }, 2000);
             studio.context.solver.pause();
             QVERIFY(studio.solverRests());
         } else {

@@ -5,7 +5,7 @@
 #include "solver/metrics/uvmetrics.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
-#include "support/patience.h"
+#include "support/timers.h"
 #include "views/tools/shapetool.h"
 
 #include <QTest>
@@ -72,7 +72,7 @@ private Q_SLOTS:
         QTest::mouseRelease(&view, Qt::LeftButton, {}, place);
         QCOMPARE(document().undoStack().count(), 1);
         const UvMatrix after = document().uv();
-        QTest::qWait(300); // nothing works on
+        QVERIFY(test::timersRest(*mStudio->tools.tool())); // nothing works on
         QVERIFY(document().uv() == after);
         document().undoStack().undo();
         QVERIFY(document().uv() == before);

@@ -153,7 +153,8 @@ private Q_SLOTS:
         };
         QVERIFY(QTest::qWaitFor(
             [&] {
-                QTest::qWait(1000);
+                const auto before = studio.solver.map();
+                (void)QTest::qWaitFor([&] { return studio.solver.map() != before; }, 1000);
                 return rowIsStraight();
             },
             60'000));

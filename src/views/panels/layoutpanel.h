@@ -63,7 +63,7 @@ private:
     std::optional<IslandTransform> mTransform;
     MovableIslands mStart;
     Vec2 mMove = Vec2::Zero(), mFactor = Vec2::Ones(); //!< since then
-    QTimer mGesture;                                   //!< runs while further steps belong to it
+    QTimer mGesture{this};                             //!< runs while further steps belong to it
     quint64 mScrub = 0;
     UvEdit mEdit = UvEdit::Move;
     bool mShowing = false; //!< the fields are being filled

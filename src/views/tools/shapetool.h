@@ -80,7 +80,7 @@ private:
     QPointF mStart;
     MapSpot mGrabbed;
     std::unique_ptr<BrushStroke> mWork; //!< set while Active
-    QTimer mStill;                      //!< runs while Active
+    QTimer mStill{this};                //!< runs while Active
 };
 
 } // namespace autocuts

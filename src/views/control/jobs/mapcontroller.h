@@ -163,7 +163,7 @@ private:
     StateToken mInputToken;         //!< token of the state that the job was given
     std::function<void()> mRestart; //!< begins the job again; null: it does not take up edits
     bool mReplacesMap = false;      //!< the running job does, see startJob()
-    QTimer mRestartSoon;            //!< one new beginning for all edits of a gesture
+    QTimer mRestartSoon{this};      //!< one new beginning for all edits of a gesture
     bool mRestarts = false;
     unwrap::UnwrapQuality mQuality = unwrap::UnwrapQuality::Standard;
     HiddenQuestion mAskHidden;
