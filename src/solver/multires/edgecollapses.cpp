@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 
@@ -46,19 +47,63 @@ struct Traits : OpenMesh::DefaultTraitsDouble
 class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits>
 {
 public:
-    //! The decimater asks this before each collapse; checks the limits here, then OpenMesh's test of the
-    //! topology.
-    bool is_collapse_ok(HalfedgeHandle h)
+    //! The decimater asks this for each edge around each change: checks the limits, then the topology.
+    bool is_collapse_ok(HalfedgeHandle h) const
     {
         const HalfedgeHandle back = opposite_halfedge_handle(h);
         const int removed = data(to_vertex_handle(back)).triangles,
                   kept = data(to_vertex_handle(h)).triangles;
         const int shared = !is_boundary(h) + !is_boundary(back);
         return removed <= largestFan && removed + kept - 2 * shared <= largestFan && apexStays(h) &&
-               apexStays(back) && TriMesh_ArrayKernelT::is_collapse_ok(h);
+               apexStays(back) && keepsTopology(h);
     }
 
 private:
+    //! What OpenMesh tests in its is_collapse_ok(), in a tenth of the time: that one marks all points around
+    //! both ends. \pre at most largestFan triangles around the result
+    bool keepsTopology(HalfedgeHandle h) const
+    {
+        const HalfedgeHandle back = opposite_halfedge_handle(h);
+        const VertexHandle removed = to_vertex_handle(back), kept = to_vertex_handle(h);
+        const VertexHandle left = apexOf(h), right = apexOf(back);
+        if (left == right || hangsBy(h) || hangsBy(back) ||
+            (left.is_valid() && right.is_valid() && is_boundary(removed) && is_boundary(kept)))
+            return false;
+        // No other point may be next to both ends.
+        std::array<int, largestFan + 5> around;
+        std::size_t count = 0;
+        for (HalfedgeHandle side = back; count < around.size(); ++count) {
+            around[count] = to_vertex_handle(side).idx();
+            side = next_halfedge_handle(opposite_halfedge_handle(side));
+            if (side == back)
+                break;
+        }
+        const auto last = around.begin() + static_cast<std::ptrdiff_t>(std::min(count + 1, around.size()));
+        for (HalfedgeHandle side = next_halfedge_handle(back); side != h;
+             side = next_halfedge_handle(opposite_halfedge_handle(side))) {
+            const VertexHandle point = to_vertex_handle(side);
+            if (point != left && point != right && std::find(around.begin(), last, point.idx()) != last)
+                return false;
+        }
+        return true;
+    }
+
+    //! The third corner of the triangle at a side; not valid at a border.
+    VertexHandle apexOf(HalfedgeHandle h) const
+    {
+        return is_boundary(h) ? VertexHandle() : to_vertex_handle(next_halfedge_handle(h));
+    }
+
+    //! True when the triangle at a side has no other neighbour.
+    bool hangsBy(HalfedgeHandle h) const
+    {
+        if (is_boundary(h))
+            return false;
+        const HalfedgeHandle next = next_halfedge_handle(h);
+        return is_boundary(opposite_halfedge_handle(next)) &&
+               is_boundary(opposite_halfedge_handle(next_halfedge_handle(next)));
+    }
+
     //! True when the point opposite to an edge can lose its triangle at that edge.
     bool apexStays(HalfedgeHandle h) const
     {
