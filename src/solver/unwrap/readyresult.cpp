@@ -7,8 +7,9 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! The thread rests for this many times as long as it has worked. Chosen by hand.
-constexpr int restShare = 10;
+//! The thread rests for this many times as long as it has worked: where somebody watches, and where results are
+//! only for a stop. Chosen by hand.
+constexpr int restWatched = 10, restForStop = 30;
 constexpr double rounding = 1e-9;
 
 } // namespace
@@ -56,6 +57,7 @@ void ReadyResult::run(const MakeMap &first)
 {
     using Clock = std::chrono::steady_clock;
     MakeMap make = first;
+    const int restShare = mWatch ? restWatched : restForStop;
     const auto start = Clock::now();
     while (true) {
         const auto begin = Clock::now();
