@@ -36,9 +36,14 @@ struct CoarseSearch
         unwrap;
     //! While a carried map is relaxed, receives what makes a usable map of it as it is then. May be empty.
     std::function<void(MakeCarriedMap)> relaxing;
-    //! Of the coarse mesh. The default was chosen by hand.
-    int triangles = 6'000;
+    //! Of the coarse mesh.
+    int triangles = mostCoarseTriangles;
+    //! Chosen by hand.
+    static constexpr int mostCoarseTriangles = 6'000;
 };
+
+//! How many triangles the coarse version of a mesh has: in drafts a sixth, from 1,500 to 6,000.
+int coarseTriangles(const MeshData &mesh, UnwrapQuality quality);
 
 //! True when the mesh has more than 25,000 triangles.
 bool isLargeMesh(const MeshData &mesh);

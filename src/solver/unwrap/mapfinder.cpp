@@ -85,6 +85,7 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
         });
     };
     CoarseSearch search;
+    search.triangles = coarseTriangles(*snapshot.mesh, options.quality);
     if (prepare)
         search.relaxing = prepareCarried;
     const JobContext searching = job.part(0, coarseShare);

@@ -7,8 +7,8 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! The thread rests for this many times as long as it has worked: where somebody watches, and where results are
-//! only for a stop. Chosen by hand.
+//! The thread rests for this many times as long as it has worked: where somebody watches, and where results
+//! are only for a stop. Chosen by hand.
 constexpr int restWatched = 10, restForStop = 30;
 constexpr double rounding = 1e-9;
 
