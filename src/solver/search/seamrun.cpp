@@ -159,7 +159,7 @@ void SeamRun::takeToBound(double mostCost)
     mSearch.anchor();
     keepBest();
     restoreBest();
-    mSearch.relaxAll(10);
+    mSearch.relaxAll(mOptions.effort.lastSteps);
     if (mState.distortion > bound())
         return;
     mSearch.cutNecks();
@@ -194,7 +194,7 @@ void SeamRun::meetBound(double mostCost)
         mSearch.polish(1);
         for (int k = 0; k < mOptions.effort.boundMoves && mState.distortion > bound(); ++k)
             mSearch.tryLargeMove();
-        mSearch.relaxAll(3);
+        mSearch.relaxAll(mOptions.effort.boundSteps);
         report(0);
         if (isLeast && before - mState.distortion < slowFall * (mState.distortion - bound()))
             return;

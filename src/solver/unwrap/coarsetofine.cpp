@@ -379,6 +379,10 @@ SeamedMap atBound(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
     search.maxDistortion = options.maxDistortion;
     search.allowOverlaps = options.allowOverlaps;
     search.effort = boundEffort;
+    if (options.quality == UnwrapQuality::Draft) {
+        search.effort.boundSteps = 1;
+        search.effort.lastSteps = 2;
+    }
     if (std::exchange(preferred.rigid, nullptr)) {
         if (map.distortion(*soup) <= options.maxDistortion)
             return map;
