@@ -114,7 +114,7 @@ struct TriangleModes
     }
 };
 
-//! Gradient and Hessian over the corners from those over the Jacobian, see triangleDerivatives().
+//! Gradient and Hessian over the corners from those over the Jacobian, see dirichletDerivatives().
 //! \param g1,g2 derivatives by the singular values
 //! \param m Hessian over the entries of the Jacobian
 template <class T>
