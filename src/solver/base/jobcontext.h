@@ -64,11 +64,11 @@ public:
         return result;
     }
     //! The same with another progress callback, which receives fractions from 0 to 1.
-    JobContext watchedBy(Sink sink) const { return {mStop, mThreads, std::move(sink)}; }
+    JobContext watchedBy(Sink sink) const { return with(mThreads, std::move(sink)); }
     //! The same without progress reports: for work whose share of the whole is not known.
-    JobContext quiet() const { return {mStop, mThreads}; }
+    JobContext quiet() const { return with(mThreads); }
     //! The same with one thread and without progress reports: for jobs that run in parallel with each other.
-    JobContext alone() const { return {mStop, 1}; }
+    JobContext alone() const { return with(1); }
     //! The same without the stop flag: for work that must be completed even after a stop.
     JobContext unstoppable() const
     {
@@ -77,8 +77,31 @@ public:
         return result;
     }
 
+    //! The same, and counts the work, see addWork(). \param work must outlive the job
+    JobContext countedBy(std::atomic<long long> &work) const
+    {
+        JobContext result = *this;
+        result.mWork = &work;
+        return result;
+    }
+    //! Adds to the counted work: for every Newton step, the triangles that it may move. Unlike time, that is
+    //! the same on every machine.
+    void addWork(long long triangles) const
+    {
+        if (mWork)
+            mWork->fetch_add(triangles, std::memory_order_relaxed);
+    }
+
 private:
+    JobContext with(int threads, Sink sink = {}) const
+    {
+        JobContext result(mStop, threads, std::move(sink));
+        result.mWork = mWork;
+        return result;
+    }
+
     const std::atomic<bool> *mStop = nullptr;
+    std::atomic<long long> *mWork = nullptr;
     int mThreads = 1;
     Sink mSink;
     double mBegin = 0, mEnd = 1;

@@ -46,6 +46,7 @@ int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot
     int done = 0;
     while (done < steps && !job.stopped()) {
         const newton::Minimizer::Step step = minimizer.step(map.x);
+        job.addWork(soup->triangleCount());
         ++done;
         if (step.before - step.after <= stall * std::abs(step.before))
             break;

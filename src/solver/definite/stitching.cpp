@@ -251,6 +251,7 @@ int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, 
     int done = 0;
     while (done < steps && !job.stopped()) {
         const newton::Minimizer::Step step = minimizer.step(map.x);
+        job.addWork(soup->triangleCount());
         ++done;
         if (stepped)
             stepped(done);

@@ -40,6 +40,7 @@ StepResult annealSoup(Solver &solver, const AnnealOptions &options, const JobCon
             if (job.stopped())
                 return last;
             last = solver.step();
+            job.addWork(solver.soup().triangleCount());
             if (onStep)
                 onStep(last);
             if (hasStalled(i > 0 ? energy : 0, last))

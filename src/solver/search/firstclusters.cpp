@@ -36,7 +36,9 @@ std::vector<double> relaxValid(CutState &state, const OptimizeOptions &options)
         if (!std::isfinite(excess(t)))
             valid[state.chart[t]] = 0;
     }
-    SeamTrial(state).relaxCharts(valid, relaxSteps, !options.allowOverlaps, options.job.quiet());
+    SeamTrial trial(state);
+    trial.relaxCharts(valid, relaxSteps, !options.allowOverlaps, options.job.quiet());
+    options.job.addWork(trial.patch().work());
     std::vector<double> energy(state.chartCount(), 0), area(state.chartCount(), 0);
     for (int t = 0; t < soup.triangleCount(); ++t) {
         energy[state.chart[t]] += soup.weight[t] * excess(t);

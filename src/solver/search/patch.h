@@ -74,6 +74,8 @@ public:
 
     //! Newton steps since construction.
     int steps() const { return mSteps; }
+    //! Their sizes added up: triangles.
+    long long work() const { return mWork; }
 
 private:
     void setTriangles(const std::vector<int> &triangles);
@@ -123,6 +125,7 @@ private:
     bool mCoversCharts = false; //!< the patch is made of whole charts
     const CutState *mState = nullptr;
     int mSteps = 0;
+    long long mWork = 0;
 };
 
 } // namespace autocuts::search

@@ -233,6 +233,7 @@ int Patch::minimize(const PatchLimits &limits)
         std::fill(mFrozen.begin(), mFrozen.end(), 0);
         for (int round = 0; round < (limits.guarded ? freezeRounds : 1); ++round) {
             ++mSteps;
+            mWork += static_cast<long long>(mTriangles.size());
             assemble();
             if (!solve(limits.job))
                 return step;

@@ -193,6 +193,7 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
         if (gained < 1e-6 || options.job.stopped())
             break;
     }
+    options.job.addWork(trial.patch().work());
     if (state->distortion > options.maxDistortion)
         return std::nullopt;
     return OptimizedMap{state->map(), 0, trial.patch().steps(), {}};

@@ -74,6 +74,9 @@ public:
 
     //! \param options must outlive the run
     SeamRun(const OptimizeOptions &options, CutState state, std::uint64_t seed);
+    ~SeamRun() { mOptions.job.addWork(mSearch.work()); }
+    SeamRun(const SeamRun &) = delete;
+    SeamRun &operator=(const SeamRun &) = delete;
 
     //! Relaxes the first map.
     void relax();

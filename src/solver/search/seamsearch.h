@@ -66,6 +66,7 @@ public:
 
     //! Newton steps so far.
     int steps() { return mTrial.patch().steps(); }
+    long long work() { return mTrial.patch().work(); } //!< see Patch::work()
     bool stopped() const { return mOptions.job.stopped(); }
     struct Counts
     {

@@ -366,6 +366,7 @@ std::optional<SeamedMap> withoutOverlaps(const std::shared_ptr<const Soup> &soup
     search::SeamTrial trial(state);
     trial.barContacts();
     trial.relaxCharts(which, steps, true, job.quiet());
+    job.addWork(trial.patch().work());
     return state.map();
 }
 
