@@ -74,24 +74,28 @@ private Q_SLOTS:
     void partsCostWhatTheyCostAlone_data()
     {
         QTest::addColumn<UnwrapQuality>("quality");
-        QTest::newRow("draft") << UnwrapQuality::Draft;
-        QTest::newRow("standard") << UnwrapQuality::Standard;
+        QTest::addColumn<int>("parts");
+        QTest::addColumn<int>("rings");
+        QTest::newRow("draft") << UnwrapQuality::Draft << 6 << 8;
+        QTest::newRow("standard") << UnwrapQuality::Standard << 3 << 5;
     }
     void partsCostWhatTheyCostAlone()
     {
         QFETCH(UnwrapQuality, quality);
+        QFETCH(int, parts);
+        QFETCH(int, rings);
         Knobs together;
         long long alone = 0;
-        for (int i = 0; i < 6; ++i) {
+        for (int i = 0; i < parts; ++i) {
             Knobs one;
-            one.add(8, i);
-            together.add(8, i);
+            one.add(rings, i);
+            together.add(rings, i);
             alone += workOn(one.mesh(), quality);
         }
         const long long all = workOn(together.mesh(), quality);
         qInfo() << "together" << all << "alone" << alone;
-        QVERIFY(alone > 0);
-        QVERIFY(all < 1.5 * double(alone));
+        QVERIFY(all > 0);
+        QVERIFY(all < alone);
     }
 
     //! By way of a coarse mesh, a finer one costs only what its last steps cost.
@@ -103,10 +107,11 @@ private Q_SLOTS:
         const long long less = workOn(coarse.mesh(), UnwrapQuality::Draft),
                         more = workOn(fine.mesh(), UnwrapQuality::Draft);
         qInfo() << coarse.faces.size() << less << fine.faces.size() << more;
-        QVERIFY(more < 5 * less);
+        QVERIFY(less > 0);
+        QVERIFY(more < 2 * less);
     }
 
-    void trianglesWithoutAreaCostNothing()
+    void trianglesWithoutAreaCostLittle()
     {
         Knobs clean;
         clean.add(12, 1);
@@ -124,7 +129,8 @@ private Q_SLOTS:
         const long long without = workOn(clean.mesh(), UnwrapQuality::Draft),
                         with = workOn(degenerate.mesh(), UnwrapQuality::Draft);
         qInfo() << "without" << without << "with" << with;
-        QVERIFY(with < 3 * without);
+        QVERIFY(without > 0);
+        QVERIFY(with < 2 * without);
     }
 };
 
