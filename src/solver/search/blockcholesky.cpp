@@ -1,7 +1,5 @@
 #include "solver/search/blockcholesky.h"
 
-#include "solver/base/simd.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -79,7 +77,6 @@ int BlockCholesky::place(int row, int column) const
     return static_cast<int>(std::lower_bound(first, last, column) - mColumn.begin());
 }
 
-AUTOCUTS_CLONES
 bool BlockCholesky::factorize(const JobContext &job)
 {
     constexpr int rowsPerLook = 256; // a row takes microseconds at the sizes of a seam search
