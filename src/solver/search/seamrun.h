@@ -74,6 +74,7 @@ public:
 
     //! \param options must outlive the run
     SeamRun(const OptimizeOptions &options, CutState state, std::uint64_t seed);
+    //! Counts the work, see JobContext::addWork().
     ~SeamRun() { mOptions.job.addWork(mSearch.work()); }
     SeamRun(const SeamRun &) = delete;
     SeamRun &operator=(const SeamRun &) = delete;
