@@ -13,7 +13,9 @@
 #include <QDir>
 #include <QTest>
 
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -61,6 +63,15 @@ struct UncutMap
     int seed;
 };
 
+//! Capacity of the edges with one end among the nodes of `side`.
+int costOf(const std::vector<std::array<int, 3>> &edges, unsigned side)
+{
+    int cost = 0;
+    for (const auto &[a, b, capacity] : edges)
+        cost += ((side >> a ^ side >> b) & 1) != 0 ? capacity : 0;
+    return cost;
+}
+
 } // namespace
 
 class TestSeparation : public QObject
@@ -68,8 +79,16 @@ class TestSeparation : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void maxFlowFindsTheSmallestCut_data()
+    {
+        QTest::addColumn<bool>("quickest");
+        QTest::newRow("fewest at the sources") << false;
+        QTest::newRow("quickest") << true;
+    }
+
     void maxFlowFindsTheSmallestCut()
     {
+        QFETCH(bool, quickest);
         // Random graphs small enough to try every cut.
         for (std::uint64_t seed = 1; seed <= 30; ++seed) {
             Random random(seed);
@@ -83,26 +102,60 @@ private Q_SLOTS:
                 edges.push_back({a, b, capacity});
                 flow.addEdge(a, b, capacity);
             }
-            flow.setSource(0);
-            flow.setSource(1);
-            flow.setSink(7);
-            flow.setSink(8);
-            int best = std::numeric_limits<int>::max();
-            for (int mask = 0; mask < 32; ++mask) {
-                const int side = 3 | mask << 2;
-                int cost = 0;
-                for (const auto &[a, b, capacity] : edges)
-                    cost += ((side >> a ^ side >> b) & 1) * capacity;
-                best = std::min(best, cost);
+            // The second cut is made in what the first one leaves.
+            for (const std::array<int, 4> ends : {std::array{0, 1, 7, 8}, std::array{2, 5, 6, 0}}) {
+                const unsigned sources = 1u << ends[0] | 1u << ends[1];
+                const unsigned sinks = 1u << ends[2] | 1u << ends[3];
+                int best = std::numeric_limits<int>::max(), fewest = n;
+                for (unsigned side = 0; side < 1u << n; ++side) {
+                    if ((side & sources) != sources || (side & sinks) != 0)
+                        continue;
+                    const int cost = costOf(edges, side);
+                    if (cost < best || (cost == best && std::popcount(side) < fewest))
+                        fewest = std::popcount(side);
+                    best = std::min(best, cost);
+                }
+                flow.setSource(ends[0]);
+                flow.setSource(ends[1]);
+                flow.setSink(ends[2]);
+                flow.setSink(ends[3]);
+                const auto found =
+                    flow.run(quickest ? MaxFlow::Tie::Quickest : MaxFlow::Tie::FewestAtSources);
+                QCOMPARE(found, std::int64_t(best));
+                unsigned side = 0;
+                for (int node = 0; node < n; ++node)
+                    side |= flow.sourceSide()[node] ? 1u << node : 0;
+                QVERIFY((side & sources) == sources && (side & sinks) == 0);
+                QCOMPARE(costOf(edges, side), best);
+                if (!quickest)
+                    QCOMPARE(std::popcount(side), fewest);
+                flow.removeCut();
+                std::erase_if(
+                    edges, [&](const auto &edge) { return ((side >> edge[0] ^ side >> edge[1]) & 1) != 0; });
             }
-            QCOMPARE(flow.run(), std::int64_t(best));
-            int cost = 0;
-            for (const auto &[a, b, capacity] : edges)
-                cost += flow.sourceSide()[a] != flow.sourceSide()[b] ? capacity : 0;
-            QCOMPARE(cost, best);
-            QVERIFY(flow.sourceSide()[0] && flow.sourceSide()[1] && !flow.sourceSide()[7] &&
-                    !flow.sourceSide()[8]);
         }
+    }
+
+    //! The work depends on where the sources and sinks are, not on the size of the graph.
+    void maxFlowStaysNearItsEnds()
+    {
+        const auto visits = [](int size) {
+            MaxFlow flow(size * size);
+            for (int y = 0; y < size; ++y) {
+                for (int x = 0; x < size; ++x) {
+                    if (x > 0)
+                        flow.addEdge(size * y + x - 1, size * y + x, 4);
+                    if (y > 0)
+                        flow.addEdge(size * (y - 1) + x, size * y + x, 4);
+                }
+            }
+            flow.setSource(size * (size / 2) + size / 2);
+            flow.setSink(size * (size / 2) + size / 2 + 3);
+            flow.run(MaxFlow::Tie::Quickest);
+            return flow.visits();
+        };
+        QVERIFY(visits(20) > 20);
+        QCOMPARE(visits(200), visits(20));
     }
 
     void cleanRegionIsMaximal_data() { mapNames(); }

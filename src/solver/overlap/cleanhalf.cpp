@@ -97,7 +97,9 @@ public:
         last.run();
         std::vector<bool> near(mGraph.unitCount, false);
         for (int unit : mMembers)
-            near[unit] = !last.sourceSide()[mLocal[unit]];
+            near[unit] = true;
+        for (int local : last.side())
+            near[mMembers[local]] = false;
         return near;
     }
 

@@ -5,76 +5,131 @@
 
 namespace autocuts::overlap {
 
-MaxFlow::MaxFlow(int nodeCount) : mSide(nodeCount, Inner) {}
+MaxFlow::MaxFlow(int nodeCount) : mEnd(nodeCount, Inner)
+{
+    for (std::vector<int> &steps : mSteps)
+        steps.assign(nodeCount, -1);
+}
 
 void MaxFlow::addEdge(int a, int b, std::int64_t capacity)
 {
     mEdges.push_back({a, b, capacity});
 }
 
+void MaxFlow::setTerminal(int node, End end)
+{
+    mEnd[node] = end;
+    mTerminals[end].push_back(node);
+}
+
 void MaxFlow::buildArcs()
 {
-    const int nodeCount = static_cast<int>(mSide.size());
+    const std::size_t nodeCount = mEnd.size();
     mFirst.assign(nodeCount + 1, 0);
     for (const Edge &edge : mEdges) {
         ++mFirst[edge.a + 1];
         ++mFirst[edge.b + 1];
     }
-    for (int n = 0; n < nodeCount; ++n)
+    for (std::size_t n = 0; n < nodeCount; ++n)
         mFirst[n + 1] += mFirst[n];
     mArcs.resize(2 * mEdges.size());
-    std::vector<int> place(mFirst.begin(), mFirst.end() - 1);
+    mNext.assign(mFirst.begin(), mFirst.end() - 1);
     for (const Edge &edge : mEdges) {
-        const int there = place[edge.a]++;
-        const int back = place[edge.b]++;
-        mArcs[there] = {edge.b, back, edge.capacity};
-        mArcs[back] = {edge.a, there, edge.capacity};
+        const int there = mNext[edge.a]++;
+        const int back = mNext[edge.b]++;
+        mArcs[there] = {edge.b, back, edge.capacity, edge.capacity};
+        mArcs[back] = {edge.a, there, edge.capacity, edge.capacity};
     }
 }
 
-bool MaxFlow::findLevels()
+//! Visits the nodes one step further from the sources or sinks than those from `head` on.
+//! \returns true when one of them was reached from the other end
+bool MaxFlow::growFrom(End end, std::size_t &head)
 {
-    mLevel.assign(mSide.size(), -1);
-    std::vector<int> queue;
-    for (int n = 0; n < static_cast<int>(mSide.size()); ++n) {
-        if (mSide[n] == Source) {
-            mLevel[n] = 0;
-            queue.push_back(n);
-        }
-    }
-    bool sinkFound = false;
-    for (std::size_t head = 0; head < queue.size(); ++head) {
-        const int node = queue[head];
+    std::vector<int> &reached = mReached[end], &steps = mSteps[end];
+    const std::vector<int> &stepsFromOther = mSteps[1 - end];
+    bool met = false;
+    for (const std::size_t last = reached.size(); head < last; ++head) {
+        const int node = reached[head];
         for (int a = mFirst[node]; a < mFirst[node + 1]; ++a) {
-            const int to = mArcs[a].to;
-            if (mArcs[a].capacity == 0 || mLevel[to] >= 0)
+            const Arc &arc = end == Sources ? mArcs[a] : mArcs[mArcs[a].reverse];
+            const int next = mArcs[a].to;
+            if (arc.unused == 0 || steps[next] >= 0)
                 continue;
-            mLevel[to] = mLevel[node] + 1;
-            sinkFound = sinkFound || mSide[to] == Sink;
-            if (mSide[to] != Sink)
-                queue.push_back(to);
+            steps[next] = steps[node] + 1;
+            reached.push_back(next);
+            met = met || stepsFromOther[next] >= 0;
         }
     }
-    return sinkFound;
+    return met;
 }
 
-//! Sends a blocking flow out of one source along rising levels (Dinic 1970).
+//! Searches from both ends, each time on from the one with fewer nodes to visit, until they meet.
+//! \returns false when no path with unused capacity is left: mReached of mFound is a side of the cut then
+bool MaxFlow::findLevels(Tie tie)
+{
+    std::array<std::size_t, 2> head{0, 0};
+    for (const End end : {Sources, Sinks}) {
+        for (const int node : mTerminals[end]) {
+            if (mEnd[node] == end && mSteps[end][node] < 0) {
+                mSteps[end][node] = 0;
+                mReached[end].push_back(node);
+            }
+        }
+    }
+    const auto toVisit = [&](End end) { return mReached[end].size() - head[end]; };
+    bool met = false;
+    while (!met) {
+        mFound = toVisit(Sources) > 0 ? Sinks : Sources;
+        if (mFound == Sources || (toVisit(Sinks) == 0 && tie == Tie::Quickest))
+            return false;
+        const bool fromSinks = toVisit(Sinks) > 0 && toVisit(Sinks) < toVisit(Sources);
+        const End end = fromSinks ? Sinks : Sources;
+        met = growFrom(end, head[end]);
+    }
+    // All shortest paths have as many steps as the two ends together.
+    const int length = mSteps[Sources][mReached[Sources].back()] + mSteps[Sinks][mReached[Sinks].back()];
+    for (const int node : mReached[Sources])
+        mNext[node] = mFirst[node];
+    for (const int node : mReached[Sinks]) {
+        mNext[node] = mFirst[node];
+        if (mSteps[Sources][node] < 0) {
+            mSteps[Sources][node] = length - mSteps[Sinks][node];
+            mReached[Sources].push_back(node);
+        }
+    }
+    return true;
+}
+
+void MaxFlow::forgetLevels()
+{
+    mVisits = visits();
+    for (const End end : {Sources, Sinks}) {
+        for (const int node : mReached[end])
+            mSteps[end][node] = -1;
+        mReached[end].clear();
+    }
+}
+
+//! Sends a blocking flow out of one source along shortest paths (Dinic 1970).
 std::int64_t MaxFlow::augmentFrom(int source)
 {
+    const std::vector<int> &level = mSteps[Sources];
     std::int64_t total = 0;
     std::vector<int> path; // arcs from the source
     int node = source;
     for (;;) {
-        if (mSide[node] == Sink) {
+        if (mEnd[node] == Sinks) {
             std::int64_t amount = std::numeric_limits<std::int64_t>::max();
             for (int a : path)
-                amount = std::min(amount, mArcs[a].capacity);
+                amount = std::min(amount, mArcs[a].unused);
             std::size_t keep = path.size();
             for (std::size_t i = path.size(); i-- > 0;) {
                 Arc &arc = mArcs[path[i]];
-                arc.capacity -= amount;
-                mArcs[arc.reverse].capacity += amount;
-                if (arc.capacity == 0)
+                arc.unused -= amount;
+                mArcs[arc.reverse].unused += amount;
+                mChanged.push_back(path[i]);
+                if (arc.unused == 0)
                     keep = i;
             }
             total += amount;
@@ -84,7 +139,7 @@ std::int64_t MaxFlow::augmentFrom(int source)
         }
         int &next = mNext[node];
         while (next < mFirst[node + 1] &&
-               (mArcs[next].capacity == 0 || mLevel[mArcs[next].to] != mLevel[node] + 1))
+               (mArcs[next].unused == 0 || level[mArcs[next].to] != level[node] + 1))
             ++next;
         if (next < mFirst[node + 1]) {
             path.push_back(next);
@@ -99,22 +154,54 @@ std::int64_t MaxFlow::augmentFrom(int source)
     }
 }
 
-std::int64_t MaxFlow::run()
+std::int64_t MaxFlow::run(Tie tie)
 {
-    buildArcs();
+    if (mFirst.empty())
+        buildArcs();
     std::int64_t flow = 0;
-    while (findLevels()) {
-        mNext.assign(mFirst.begin(), mFirst.end() - 1);
-        for (int n = 0; n < static_cast<int>(mSide.size()); ++n) {
-            if (mSide[n] == Source)
-                flow += augmentFrom(n);
+    forgetLevels();
+    for (; findLevels(tie); forgetLevels()) {
+        for (const int source : mTerminals[Sources]) {
+            if (mEnd[source] == Sources)
+                flow += augmentFrom(source);
         }
     }
-    // The last search reached exactly the nodes on the source's side of the cut.
-    mReached.resize(mLevel.size());
-    for (std::size_t n = 0; n < mLevel.size(); ++n)
-        mReached[n] = mLevel[n] >= 0;
     return flow;
+}
+
+std::int64_t MaxFlow::visits() const
+{
+    return mVisits + static_cast<std::int64_t>(mReached[Sources].size() + mReached[Sinks].size());
+}
+
+std::vector<bool> MaxFlow::sourceSide() const
+{
+    std::vector<bool> onSide(mEnd.size(), mFound != Sources);
+    for (const int node : side())
+        onSide[node] = mFound == Sources;
+    return onSide;
+}
+
+void MaxFlow::removeCut()
+{
+    for (const int a : mChanged) {
+        for (Arc *arc : {&mArcs[a], &mArcs[mArcs[a].reverse]})
+            arc->unused = arc->capacity;
+    }
+    mChanged.clear();
+    for (const int node : side()) {
+        for (int a = mFirst[node]; a < mFirst[node + 1]; ++a) {
+            if (mSteps[mFound][mArcs[a].to] >= 0)
+                continue;
+            for (Arc *arc : {&mArcs[a], &mArcs[mArcs[a].reverse]})
+                arc->unused = arc->capacity = 0;
+        }
+    }
+    for (std::vector<int> &terminals : mTerminals) {
+        for (const int node : terminals)
+            mEnd[node] = Inner;
+        terminals.clear();
+    }
 }
 
 } // namespace autocuts::overlap

@@ -10,23 +10,41 @@ MinCutSplitter::MinCutSplitter(const UnitGraph &graph, const std::vector<std::in
       mLocal(graph.unitCount, -1)
 {}
 
-bool MinCutSplitter::exhausted() const
+bool MinCutSplitter::exhausted(const MaxFlow &flow) const
 {
-    // Bounds the time that the cuts of one chart may take. Chosen by hand.
-    constexpr std::int64_t mostVisits = 20'000'000;
-    return mVisited > mostVisits || mJob.stopped();
+    // Bounds the time that the cuts of one chart may take, to about a second. Chosen by hand.
+    constexpr std::int64_t mostVisits = 50'000'000;
+    return flow.visits() > mostVisits || mJob.stopped();
+}
+
+//! The units of one part and the links between them.
+MaxFlow MinCutSplitter::flowOf(int label)
+{
+    mUnits.clear();
+    for (int u = 0; u < mGraph.unitCount; ++u) {
+        if (mPart[u] != label)
+            continue;
+        mLocal[u] = static_cast<int>(mUnits.size());
+        mUnits.push_back(u);
+    }
+    MaxFlow flow(static_cast<int>(mUnits.size()));
+    for (const int unit : mUnits) {
+        for (const int link : mGraph.linksOfUnit[unit]) {
+            const int other = mGraph.across(link, unit);
+            if (unit < other && mPart[other] == label)
+                flow.addEdge(mLocal[unit], mLocal[other], mCapacity[link]);
+        }
+    }
+    return flow;
 }
 
 std::vector<int> MinCutSplitter::split(int label)
 {
-    mVisited = 0;
+    MaxFlow flow = flowOf(label);
     mMembers.clear();
-    for (int u = 0; u < mGraph.unitCount; ++u) {
-        if (mPart[u] == label)
-            mMembers[label].push_back(u);
-    }
+    mMembers[label] = mUnits;
     std::vector<int> open{label};
-    while (!open.empty() && !exhausted()) {
+    while (!open.empty() && !exhausted(flow)) {
         const int current = open.back();
         open.pop_back();
         std::vector<Sheets> all = mFinder.find(mPart, mMembers[current]);
@@ -39,8 +57,8 @@ std::vector<int> MinCutSplitter::split(int label)
         if (!all.empty())
             touched.push_back(current);
         for (const auto &[bound, i] : order) {
-            if (!exhausted())
-                cutBetween(all[i], touched);
+            if (!exhausted(flow))
+                cutBetween(all[i], flow, touched);
         }
         open.insert(open.end(), touched.begin(), touched.end());
     }
@@ -72,7 +90,7 @@ std::int64_t MinCutSplitter::perimeterBound(const Sheets &sheets) const
     return std::min(bound[0], bound[1]);
 }
 
-void MinCutSplitter::cutBetween(const Sheets &sheets, std::vector<int> &touched)
+void MinCutSplitter::cutBetween(const Sheets &sheets, MaxFlow &flow, std::vector<int> &touched)
 {
     // Earlier cuts may already have separated some of the pairs, or spread the rest over several parts.
     std::map<int, Sheets> left;
@@ -81,36 +99,24 @@ void MinCutSplitter::cutBetween(const Sheets &sheets, std::vector<int> &touched)
             left[mPart[first]].emplace_back(first, second);
     }
     for (const auto &[label, pairs] : left)
-        cutLabel(label, pairs, touched);
+        cutLabel(label, pairs, flow, touched);
 }
 
-void MinCutSplitter::cutLabel(int label, const Sheets &sheets, std::vector<int> &touched)
+void MinCutSplitter::cutLabel(int label, const Sheets &sheets, MaxFlow &flow, std::vector<int> &touched)
 {
-    std::vector<int> &members = mMembers[label];
-    mVisited += static_cast<std::int64_t>(members.size());
-    for (std::size_t i = 0; i < members.size(); ++i)
-        mLocal[members[i]] = static_cast<int>(i);
-    MaxFlow flow(static_cast<int>(members.size()));
-    for (int unit : members) {
-        for (int link : mGraph.linksOfUnit[unit]) {
-            const int other = mGraph.across(link, unit);
-            if (unit < other && mPart[other] == label)
-                flow.addEdge(mLocal[unit], mLocal[other], mCapacity[link]);
-        }
-    }
     for (const auto &[first, second] : sheets) {
         flow.setSource(mLocal[first]);
         flow.setSink(mLocal[second]);
     }
-    flow.run();
-
-    std::vector<int> kept, moved;
-    for (std::size_t i = 0; i < members.size(); ++i)
-        (flow.sourceSide()[i] ? kept : moved).push_back(members[i]);
-    for (int unit : moved)
-        mPart[unit] = mNextPart;
-    members = std::move(kept);
-    mMembers[mNextPart] = std::move(moved);
+    flow.run(MaxFlow::Tie::Quickest);
+    std::vector<int> &moved = mMembers[mNextPart];
+    for (const int local : flow.side()) {
+        moved.push_back(mUnits[local]);
+        mPart[mUnits[local]] = mNextPart;
+    }
+    flow.removeCut();
+    std::sort(moved.begin(), moved.end());
+    std::erase_if(mMembers[label], [this](int unit) { return mPart[unit] == mNextPart; });
     touched.push_back(mNextPart++);
 }
 

@@ -28,10 +28,11 @@ public:
     std::vector<int> split(int label);
 
 private:
+    MaxFlow flowOf(int label);
     std::int64_t perimeterBound(const Sheets &sheets) const;
-    void cutBetween(const Sheets &sheets, std::vector<int> &touched);
-    void cutLabel(int label, const Sheets &sheets, std::vector<int> &touched);
-    bool exhausted() const;
+    void cutBetween(const Sheets &sheets, MaxFlow &flow, std::vector<int> &touched);
+    void cutLabel(int label, const Sheets &sheets, MaxFlow &flow, std::vector<int> &touched);
+    bool exhausted(const MaxFlow &flow) const;
 
     const UnitGraph &mGraph;
     const std::vector<std::int64_t> &mCapacity;
@@ -39,9 +40,9 @@ private:
     int &mNextPart;
     JobContext mJob;
     SheetFinder mFinder;
-    std::vector<int> mLocal;                  //!< index of each unit in the graph being cut
+    std::vector<int> mUnits;                  //!< of the part that split() was called with
+    std::vector<int> mLocal;                  //!< index of each unit in that list
     std::map<int, std::vector<int>> mMembers; //!< units of each part being split
-    std::int64_t mVisited = 0;                //!< sum over all cuts so far of the units in each
 };
 
 } // namespace autocuts::overlap
