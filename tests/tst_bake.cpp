@@ -202,7 +202,8 @@ void TestBake::cageDirections()
         BakeJob job = jobFor(low, {{MapKind::Position, 0}}, 64);
         setDetailed(job, roof, 0.1);
         job.settings.cage.direction = direction;
-        const auto texel = only(job).at(x, 32);
+        const Picture picture = only(job);
+        const auto texel = picture.at(x, 32);
         const double lowX = (x + 0.5) / 32 - 1;
         // How far the ray ran along the side, away from the ridge.
         const Vec3 moved = Vec3(texel[0], 0, texel[2]) - Vec3(lowX, 0, 1 - std::abs(lowX));

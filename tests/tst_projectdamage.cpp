@@ -23,19 +23,12 @@ namespace tst_projectdamage {
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
-#ifdef AUTOCUTS_SANITIZED
-// The sanitizer takes address space for itself; large requests are caught this way instead.
-extern "C" const char *__asan_default_options()
-{
-    return "max_allocation_size_mb=64";
-}
-#endif
-
 namespace {
 
 constexpr int filesOfEachKind = 1000;
 
-//! Keeps the program's memory to what it has plus some bytes, as far as the system can do that.
+//! Keeps the program's memory to what it has plus some bytes, as far as the system can do that. The address sanitizer
+//! takes address space for itself: there, ASAN_OPTIONS refuse large requests (CMakeLists.txt).
 class MemoryLimit
 {
 public:

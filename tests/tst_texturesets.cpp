@@ -195,7 +195,10 @@ private Q_SLOTS:
                                          {u"factor"_s, QCborValue(1e300)}}) {
             QCborMap channel = good[0].toArray()[0].toMap();
             channel[key] = value;
-            QVERIFY2(!readTextureSets(QCborArray{QCborArray{channel}}, 1), qPrintable(key));
+            QCborArray channels, sets;
+            channels.append(channel);
+            sets.append(channels); // braces would mean a copy to one compiler, a list to the other
+            QVERIFY2(!readTextureSets(sets, 1), qPrintable(key));
         }
     }
 };

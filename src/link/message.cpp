@@ -107,7 +107,8 @@ void Message::append(const QString &name, Kind kind, std::span<const T> values, 
 {
     const Array array{name, kind, qsizetype(values.size()) / columns, columns, mBytes.size()};
     mBytes.resize(array.offset + array.bytes());
-    qToLittleEndian<T>(values.data(), array.count(), mBytes.data() + array.offset);
+    if (array.count() > 0)
+        qToLittleEndian<T>(values.data(), array.count(), mBytes.data() + array.offset);
     mArrays.push_back(array);
 }
 

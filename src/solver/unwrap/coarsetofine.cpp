@@ -11,6 +11,7 @@
 #include "solver/search/anchoring.h"
 #include "solver/search/seamrun.h"
 #include "solver/search/seamtrial.h"
+#include "solver/unwrap/mapsearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,9 @@ constexpr int largeMesh = 25'000;
 //! to 24,000 triangles: against a draft of the mesh itself, seams are .92 times as long (.66 to 1.26) in .60
 //! of the CPU time.
 AUTOCUTS_CONSTANT(int, largeForDrafts, 9'990);
+//! The same for surfaces with several borders or handles, but at most mostOpenings of them: 1,500 triangles have
+//! no room for more.
+constexpr int largeForOpenings = 2'500, mostOpenings = 30;
 //! Share of hard surface from which drafts of such meshes do not: regions that are flat on the coarse mesh
 //! are not quite those of the fine one. Measured: on a plate with holes .90 of the flat area kept its shape,
 //! in place of all.
@@ -523,9 +527,12 @@ bool suitsCoarseToFine(const Snapshot &snapshot, UnwrapQuality quality)
 {
     if (snapshot.settings.start == StartMode::ExistingUv)
         return false;
-    return isLargeMesh(*snapshot.mesh) ||
-           (quality == UnwrapQuality::Draft && snapshot.mesh->triangleCount() > largeForDrafts &&
-            preference::surfaceParts(*snapshot.mesh, snapshot.settings.surface).hardShare < hardlyHard);
+    if (isLargeMesh(*snapshot.mesh))
+        return true;
+    const int triangles = snapshot.mesh->triangleCount();
+    return quality == UnwrapQuality::Draft && triangles > largeForOpenings &&
+           preference::surfaceParts(*snapshot.mesh, snapshot.settings.surface).hardShare < hardlyHard &&
+           (triangles > largeForDrafts || needsManyCuts(snapshot, mostOpenings));
 }
 
 std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,

@@ -29,15 +29,22 @@ aiMetadata *copyOf(const aiMetadata *from)
     if (!from)
         return nullptr;
     auto copy = std::make_unique<aiMetadata>(*from);
-    unsigned kept = 0;
+    const auto isKept = [](const aiMetadataEntry &value) {
+        return value.mData && value.mType <= AI_AIVECTOR3D;
+    };
+    const auto kept = static_cast<unsigned>(
+        std::count_if(copy->mValues, copy->mValues + copy->mNumProperties, isKept));
+    if (kept == 0)
+        return nullptr;
+    aiMetadata *some = aiMetadata::Alloc(kept);
+    unsigned count = 0;
     for (unsigned i = 0; i < copy->mNumProperties; ++i) {
-        if (!copy->mValues[i].mData || copy->mValues[i].mType > AI_AIVECTOR3D)
+        if (!isKept(copy->mValues[i]))
             continue;
-        std::swap(copy->mKeys[kept], copy->mKeys[i]);
-        std::swap(copy->mValues[kept++], copy->mValues[i]);
+        std::swap(some->mKeys[count], copy->mKeys[i]);
+        std::swap(some->mValues[count++], copy->mValues[i]);
     }
-    copy->mNumProperties = kept;
-    return kept > 0 ? copy.release() : nullptr;
+    return some;
 }
 
 //! Copies the node tree without its meshes; also returns the copies in depth-first order.
