@@ -185,7 +185,7 @@ private:
     {
         std::vector<bool> placed(mRigid.pieces.count);
         for (std::size_t piece = 0; piece < placed.size(); ++piece)
-            placed[piece] = mRigid.locked[piece] || mBins[mBinOf[piece]].isRectangle;
+            placed[piece] = mRigid.locked[piece] || (mBinOf[piece] >= 0 && mBins[mBinOf[piece]].isRectangle);
         for (int face = 0; face < mMesh.faceCount(); ++face) {
             const int piece = mRigid.pieces.faceChart[face];
             if (piece >= 0 && placed[piece] && !mRigid.locked[piece])
@@ -347,7 +347,7 @@ private:
     const PackJob &mPack;
     RigidPieces mRigid;
     std::vector<Bin> mBins;
-    std::vector<int> mBinOf; //!< per piece
+    std::vector<int> mBinOf; //!< per piece; -1: it has no faces
 };
 
 } // namespace
