@@ -27,8 +27,8 @@ namespace {
 
 constexpr int filesOfEachKind = 1000;
 
-//! Keeps the program's memory to what it has plus some bytes, as far as the system can do that. The address sanitizer
-//! takes address space for itself: there, ASAN_OPTIONS refuse large requests (CMakeLists.txt).
+//! Keeps the program's memory to what it has plus some bytes, as far as the system can do that. The address
+//! sanitizer takes address space for itself: there, ASAN_OPTIONS refuse large requests (CMakeLists.txt).
 class MemoryLimit
 {
 public:

@@ -171,7 +171,8 @@ std::unique_ptr<DocumentCommand> RandomEdits::uvs(Document &document)
         for (int corner : someOf(static_cast<int>(uv.rows())))
             uv.row(corner) = point().transpose();
         const auto edit = mRandom.oneIn(2) ? EditMapSeams::Edit::Rip : EditMapSeams::Edit::Stitch;
-        return EditMapSeams::make(document, edit, uv, someOf(static_cast<int>(document.mesh().edgePairs.size())));
+        return EditMapSeams::make(document, edit, uv,
+                                  someOf(static_cast<int>(document.mesh().edgePairs.size())));
     }
     if (mRandom.oneIn(8)) {
         for (Eigen::Index i = 0; i < uv.rows(); ++i)

@@ -32,8 +32,8 @@ aiMetadata *copyOf(const aiMetadata *from)
     const auto isKept = [](const aiMetadataEntry &value) {
         return value.mData && value.mType <= AI_AIVECTOR3D;
     };
-    const auto kept = static_cast<unsigned>(
-        std::count_if(copy->mValues, copy->mValues + copy->mNumProperties, isKept));
+    const auto kept =
+        static_cast<unsigned>(std::count_if(copy->mValues, copy->mValues + copy->mNumProperties, isKept));
     if (kept == 0)
         return nullptr;
     aiMetadata *some = aiMetadata::Alloc(kept);
