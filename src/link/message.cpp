@@ -130,6 +130,8 @@ Result<std::vector<int>> Message::integers(const QString &name, int columns) con
     if (array->kind != Kind::Int32 || array->columns != columns)
         return linkError(u"the array \"%1\" is not of rows of %2 whole numbers"_s.arg(name).arg(columns));
     std::vector<int> values(static_cast<std::size_t>(array->count()));
+    if (values.empty())
+        return values;
     qFromLittleEndian<int>(mBytes.constData() + array->offset, array->count(), values.data());
     return values;
 }
@@ -142,6 +144,8 @@ Result<std::vector<double>> Message::numbers(const QString &name, int columns) c
     if (array->kind == Kind::Int32 || array->columns != columns)
         return linkError(u"the array \"%1\" is not of rows of %2 numbers"_s.arg(name).arg(columns));
     std::vector<double> values(static_cast<std::size_t>(array->count()));
+    if (values.empty())
+        return values;
     const char *bytes = mBytes.constData() + array->offset;
     if (array->kind == Kind::Float64) {
         qFromLittleEndian<double>(bytes, array->count(), values.data());

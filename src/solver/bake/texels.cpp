@@ -147,14 +147,15 @@ void TexelSurface::surround(const Flat &flat, TexelRows &rows, std::vector<doubl
     const auto &at = flat.at;
     const auto [low, high] = std::minmax({at[0].x(), at[1].x(), at[2].x()});
     const int samples = samplesPerTexel();
-    const auto firstTexel = [](double from) { return std::max(0, static_cast<int>(from - surroundings)); };
-    const auto endTexel = [](double to, int size) {
-        return static_cast<int>(std::min<double>(size, to + surroundings + 1));
+    const auto texelAt = [](double place, int size) {
+        return static_cast<int>(std::clamp(place, 0.0, double(size)));
     };
-    const int begin = std::max(rows.first, firstTexel(flat.low));
+    const auto firstTexel = [&](double from, int size) { return texelAt(from - surroundings, size); };
+    const auto endTexel = [&](double to, int size) { return texelAt(to + surroundings + 1, size); };
+    const int begin = std::max(rows.first, firstTexel(flat.low, mGrid.height));
     const int end = std::min(rows.first + rows.count, endTexel(flat.high, mGrid.height));
     for (int y = begin; y < end; ++y) {
-        for (int x = firstTexel(low); x < endTexel(high, mGrid.width); ++x) {
+        for (int x = firstTexel(low, mGrid.width); x < endTexel(high, mGrid.width); ++x) {
             const std::size_t texel = std::size_t(y - rows.first) * mGrid.width + x;
             if (rows.inside[texel])
                 continue;
