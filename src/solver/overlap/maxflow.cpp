@@ -80,9 +80,14 @@ bool MaxFlow::findLevels(Tie tie)
     const auto toVisit = [&](End end) { return mReached[end].size() - head[end]; };
     bool met = false;
     while (!met) {
-        mFound = toVisit(Sources) > 0 ? Sinks : Sources;
-        if (mFound == Sources || (toVisit(Sinks) == 0 && tie == Tie::Quickest))
+        if (toVisit(Sources) == 0) {
+            mFound = Sources;
             return false;
+        }
+        if (toVisit(Sinks) == 0 && tie == Tie::Quickest) {
+            mFound = Sinks;
+            return false;
+        }
         const bool fromSinks = toVisit(Sinks) > 0 && toVisit(Sinks) < toVisit(Sources);
         const End end = fromSinks ? Sinks : Sources;
         met = growFrom(end, head[end]);
