@@ -411,7 +411,7 @@ private Q_SLOTS:
     //! A report that cannot be written any more when the map is.
     void whatIsWrittenAlreadyIsSaid()
     {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef AUTOCUTS_SANITIZED
         QSKIP("sanitizers have to be the first library");
 #endif
         QVERIFY(QDir(mFolder.path()).mkpath(QStringLiteral("later")));
@@ -502,7 +502,7 @@ private Q_SLOTS:
     //! as if it had been interrupted.
     void endsHoweverLittleMemoryThereIs()
     {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef AUTOCUTS_SANITIZED
         QSKIP("a sanitized program needs more address space than a limit leaves");
 #else
         const QString in = file("little.obj", test::sheetObj(5));

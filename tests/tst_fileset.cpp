@@ -128,7 +128,7 @@ private Q_SLOTS:
     }
     void aKilledProgramLeavesNoMixture()
     {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef AUTOCUTS_SANITIZED
         QSKIP("sanitizers have to be the first library");
 #endif
         QFETCH(const QString, names);

@@ -172,7 +172,7 @@ private:
 private Q_SLOTS:
     void initTestCase()
     {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef AUTOCUTS_SANITIZED
         QSKIP("sanitizers have to be the first library");
 #endif
         Scene scene;

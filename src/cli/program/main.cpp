@@ -47,7 +47,7 @@ int ended(int code, QTextStream &out, QTextStream &err)
 {
     out.flush();
     err.flush();
-#ifdef __SANITIZE_ADDRESS__
+#ifdef AUTOCUTS_SANITIZED
     if (autocuts::jobs::abandonedCount == 0)
         return code; // leaks are looked for at the end
 #endif

@@ -13,7 +13,7 @@
 #include <unistd.h>
 #endif
 
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__linux__) && !defined(AUTOCUTS_SANITIZED)
 namespace {
 
 //! OpenBLAS starts a thread for each core when it is loaded. Where the address space is limited, it ends the
