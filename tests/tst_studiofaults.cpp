@@ -223,16 +223,14 @@ private Q_SLOTS:
             for (const QString &with : faults) {
                 reset(job);
                 const Run failed = run(job, call, with);
-                const auto where = [&] {
-                    return qPrintable(
-                        u"call %1 of %2 with %3: %4"_s.arg(call).arg(calls).arg(with, failed.text));
-                };
-                QVERIFY2(failed.code != didNotEnd, where());
+                const QByteArray where =
+                    u"call %1 of %2 with %3: %4"_s.arg(call).arg(calls).arg(with, failed.text).toLocal8Bit();
+                QVERIFY2(failed.code != didNotEnd, where.constData());
                 const bool killed = failed.status == QProcess::CrashExit;
-                QVERIFY2(!killed || failed.code == SIGKILL, where());
+                QVERIFY2(!killed || failed.code == SIGKILL, where.constData());
                 // Whoever looks into the folder next puts right what is mixed.
                 const QStringList ended = killed ? endBrokenSets({work()}) : QStringList();
-                QVERIFY2(ended.size() <= 1, where());
+                QVERIFY2(ended.size() <= 1, where.constData());
                 const std::vector<QByteArray> now = contents(job);
                 // Sessions hold the time of an entry of the history, so that only their size is compared.
                 const auto isNew = [&](std::size_t i) {
@@ -243,19 +241,19 @@ private Q_SLOTS:
                 for (std::size_t i = 0; i < now.size(); ++i) {
                     allOld = allOld && now[i] == before[i];
                     allNew = allNew && isNew(i);
-                    QVERIFY2(now[i] == before[i] || isNew(i), where());
+                    QVERIFY2(now[i] == before[i] || isNew(i), where.constData());
                 }
-                QVERIFY2(allOld || allNew, where());
+                QVERIFY2(allOld || allNew, where.constData());
                 if (killed && now.size() == 1) // a file that had no name before may be left
                     continue;
-                QVERIFY2(killed || !failed.text.isEmpty() || allNew, where());
+                QVERIFY2(killed || !failed.text.isEmpty() || allNew, where.constData());
                 QStringList left = QDir(work()).entryList(QDir::Files | QDir::Hidden);
                 for (const QString &name : names)
                     left.removeAll(name);
                 if (killed) // it counts for nothing then
                     left.removeAll(u".model.acproj.lock"_s);
                 left.removeAll(u"model.acproj.new"_s); // where the backup could not get its name
-                QVERIFY2(left.isEmpty(), qPrintable(left.join(u',') + QString::fromLatin1(where())));
+                QVERIFY2(left.isEmpty(), qPrintable(left.join(u',') + QString::fromLocal8Bit(where)));
             }
         }
     }

@@ -148,9 +148,10 @@ void MainWindow::makeViews()
     column->addWidget(mSplitter);
     mNotice = new NoticeBar(mWorkspace, centre);
     setCentralWidget(centre);
-    // What gives the focus back to the middle gives it to the view that had it last.
+    // What gives the focus back to the middle gives it to the view that had it last, as long as there are
+    // views.
     centre->setFocusProxy(mUvView);
-    connect(qApp, &QApplication::focusChanged, this, [this, centre](QWidget *, QWidget *now) {
+    connect(qApp, &QApplication::focusChanged, mSplitter, [this, centre](QWidget *, QWidget *now) {
         if (now == mMeshView || now == mUvView)
             centre->setFocusProxy(now);
     });
