@@ -500,7 +500,7 @@ bool needsManyCuts(const Snapshot &snapshot, int most)
 {
     const Topology topology = topologyOf(*snapshot.mesh);
     return isComplicated(topology, UnwrapQuality::Draft) && topology.borders + topology.handles <= most &&
-           !startsFromNets(snapshot) && !isTangled(*snapshot.mesh);
+           isUnsteered(snapshot) && !startsFromNets(snapshot) && !isTangled(*snapshot.mesh);
 }
 
 bool startsFromClusterNets(const Snapshot &snapshot)
