@@ -418,6 +418,8 @@ private Q_SLOTS:
         snapshot.settings.surface = SurfaceKind::Organic;
         QCOMPARE(suitsCoarseToFine(snapshot, UnwrapQuality::Draft), suits);
         QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Standard));
+        snapshot.editSteering().pins.push_back({0, Vec2::Zero(), true, 1});
+        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
     }
 
     void meshesThatCannotBeCoarserAreLeftAlone()
