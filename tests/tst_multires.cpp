@@ -141,24 +141,6 @@ std::optional<CarriedMap> carried(const Snapshot &snapshot, const std::shared_pt
     return mapByCoarse(soup, snapshot, options, draft(coarseTriangles));
 }
 
-//! A square of quads, without some of its inner ones.
-test::MeshPtr sheetWithHoles(int cells, int holes)
-{
-    std::vector<Vec3> points;
-    for (int i = 0; i < (cells + 1) * (cells + 1); ++i)
-        points.emplace_back(i % (cells + 1), i / (cells + 1), 0);
-    std::vector<std::vector<int>> faces;
-    for (int y = 0; y < cells; ++y) {
-        for (int x = 0; x < cells; ++x) {
-            if (x % 4 == 1 && y % 4 == 1 && x + 1 < cells && holes-- > 0)
-                continue;
-            const int at = (cells + 1) * y + x;
-            faces.push_back({at, at + 1, at + cells + 2, at + cells + 1});
-        }
-    }
-    return test::polygonMesh(points, faces);
-}
-
 } // namespace
 
 class TestMultires : public QObject
@@ -395,31 +377,6 @@ private Q_SLOTS:
         QVERIFY(map);
         QVERIFY(map->map.cut[edge]);
         QCOMPARE(map->map.validate(*soup), std::string());
-    }
-
-    void smallMeshesWithHolesGetACoarserOne_data()
-    {
-        QTest::addColumn<int>("cells");
-        QTest::addColumn<int>("holes");
-        QTest::addColumn<bool>("suits");
-        QTest::newRow("none") << 38 << 0 << false;
-        QTest::newRow("one") << 38 << 1 << true;
-        QTest::newRow("thirty borders") << 38 << 29 << true;
-        QTest::newRow("more") << 38 << 30 << false;
-        QTest::newRow("few triangles") << 34 << 1 << false;
-    }
-    void smallMeshesWithHolesGetACoarserOne()
-    {
-        QFETCH(int, cells);
-        QFETCH(int, holes);
-        QFETCH(bool, suits);
-        Snapshot snapshot;
-        snapshot.mesh = sheetWithHoles(cells, holes);
-        snapshot.settings.surface = SurfaceKind::Organic;
-        QCOMPARE(suitsCoarseToFine(snapshot, UnwrapQuality::Draft), suits);
-        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Standard));
-        snapshot.editSteering().pins.push_back({0, Vec2::Zero(), true, 1});
-        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
     }
 
     void meshesThatCannotBeCoarserAreLeftAlone()

@@ -11,7 +11,6 @@
 #include "solver/search/anchoring.h"
 #include "solver/search/seamrun.h"
 #include "solver/search/seamtrial.h"
-#include "solver/unwrap/mapsearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,12 +30,6 @@ constexpr int largeMesh = 25'000;
 //! to 24,000 triangles: against a draft of the mesh itself, seams are .92 times as long (.66 to 1.26) in .60
 //! of the CPU time.
 AUTOCUTS_CONSTANT(int, largeForDrafts, 9'990);
-//! The same for surfaces with several borders or handles, whose drafts start from the soup or from clusters,
-//! but at most mostOpenings of them: 1,500 triangles have no room for more. Measured on six of them, coarse
-//! ones of larger meshes included: seams are .76 times as long (.49 to 1.01), in .5 times the CPU time below
-//! 10,000 triangles and 1.3 times above. With 74 handles it took 4 times as long, with 344 the bound was
-//! missed. With pins around faces that stay, the seams of a part of a cube of bumps got twice as long.
-constexpr int largeForOpenings = 2'500, mostOpenings = 30;
 //! Share of hard surface from which drafts of such meshes do not: regions that are flat on the coarse mesh
 //! are not quite those of the fine one. Measured: on a plate with holes .90 of the flat area kept its shape,
 //! in place of all.
@@ -530,12 +523,9 @@ bool suitsCoarseToFine(const Snapshot &snapshot, UnwrapQuality quality)
 {
     if (snapshot.settings.start == StartMode::ExistingUv)
         return false;
-    if (isLargeMesh(*snapshot.mesh))
-        return true;
-    const int triangles = snapshot.mesh->triangleCount();
-    return quality == UnwrapQuality::Draft && triangles > largeForOpenings &&
-           preference::surfaceParts(*snapshot.mesh, snapshot.settings.surface).hardShare < hardlyHard &&
-           (triangles > largeForDrafts || needsManyCuts(snapshot, mostOpenings));
+    return isLargeMesh(*snapshot.mesh) ||
+           (quality == UnwrapQuality::Draft && snapshot.mesh->triangleCount() > largeForDrafts &&
+            preference::surfaceParts(*snapshot.mesh, snapshot.settings.surface).hardShare < hardlyHard);
 }
 
 std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,

@@ -48,8 +48,7 @@ int coarseTriangles(const MeshData &mesh, UnwrapQuality quality);
 //! True when the mesh has more than 25,000 triangles.
 bool isLargeMesh(const MeshData &mesh);
 //! True when the map is found on a coarser mesh first: of more than 25,000 triangles, in drafts of
-//! about 10,000 or more that are hardly hard surface, or of 2,500 with several borders or handles that
-//! nothing steers. Not when it starts from existing UVs.
+//! about 10,000 or more that are hardly hard surface. Not when it starts from existing UVs.
 bool suitsCoarseToFine(const Snapshot &snapshot, UnwrapQuality quality);
 
 //! Coarsens the mesh, unwraps the coarse one, carries seams and map over to the fine mesh and relaxes the map

@@ -51,14 +51,8 @@ search::OptimizeEffort fullEffort(UnwrapQuality quality)
 constexpr double smallestShare = 1e-9;
 constexpr int settleSteps = 20; // Newton steps before hard pins are reached
 
-//! Borders and handles of a surface.
-struct Topology
-{
-    int mostBorders = 0, mostHandles = 0; //!< of one connected part
-    int borders = 0, handles = 0;         //!< of all parts
-};
-
-Topology topologyOf(const MeshData &mesh)
+//! True when a connected part of the surface has more borders or more handles than these.
+bool hasPartWithMore(int borders, int handles, const MeshData &mesh)
 {
     const CutMesh whole(mesh, CutFlags(mesh.edgePairs.size(), false));
     std::vector<int> loops(whole.chartCount, 0), euler(whole.chartCount, 0);
@@ -75,30 +69,26 @@ Topology topologyOf(const MeshData &mesh)
         --euler[whole.chart[pair.triangle[0]]];
     for (const auto &side : mesh.boundarySides)
         --euler[whole.chart[side.triangle]];
-    Topology topology;
     for (int part = 0; part < whole.chartCount; ++part) {
-        const int borders = loops[part], handles = (2 - borders - euler[part]) / 2;
-        topology.mostBorders = std::max(topology.mostBorders, borders);
-        topology.mostHandles = std::max(topology.mostHandles, handles);
-        topology.borders += borders;
-        topology.handles += handles;
+        if (loops[part] > borders || (2 - loops[part] - euler[part]) / 2 > handles)
+            return true;
     }
-    return topology;
+    return false;
 }
 
 //! True when a connected part of the surface has several borders, or handles: its first cuts are not few, so
 //! that the search also starts from a map of the soup. Draft does so from two handles on. (On rocker-arm,
 //! p_torus and human_neutral both qualities find nothing better in that map; draft takes 4 to 9 times the CPU
 //! time for it. On chain, standard finds seams that are 2.3 % shorter there, draft longer ones.)
-bool isComplicated(const Topology &topology, UnwrapQuality quality)
+bool isComplicated(const MeshData &mesh, UnwrapQuality quality)
 {
-    return topology.mostBorders > 1 || topology.mostHandles > (quality == UnwrapQuality::Draft ? 1 : 0);
+    return hasPartWithMore(1, quality == UnwrapQuality::Draft ? 1 : 0, mesh);
 }
 
 //! True when a search from few cuts alone would miss good maps.
 bool startsFromSoup(const Snapshot &snapshot, UnwrapQuality quality)
 {
-    return isComplicated(topologyOf(*snapshot.mesh), quality) && !startsFromNets(snapshot);
+    return isComplicated(*snapshot.mesh, quality) && !startsFromNets(snapshot);
 }
 
 //! Borders or handles of a part from which drafts start from clusters. With fewer (teapot, multiComp,
@@ -271,11 +261,9 @@ private:
     //! with 30 to 40 % of such edges the soup's cuts are two thirds as long, and clusters missed the bound.
     bool suitsClusters() const
     {
-        if (!isDraft() || mOptions.lambda || !isUnsteered(mSnapshot) || isPartlyRigid(mSnapshot) ||
-            mSnapshot.mesh->triangleCount() <= fullEffortTriangles || isTangled(*mSnapshot.mesh))
-            return false;
-        const Topology topology = topologyOf(*mSnapshot.mesh);
-        return topology.mostBorders >= manyBorders || topology.mostHandles >= manyHandles;
+        return isDraft() && !mOptions.lambda && isUnsteered(mSnapshot) && !isPartlyRigid(mSnapshot) &&
+               mSnapshot.mesh->triangleCount() > fullEffortTriangles && !isTangled(*mSnapshot.mesh) &&
+               hasPartWithMore(manyBorders - 1, manyHandles - 1, *mSnapshot.mesh);
     }
 
     //! True when a draft starts from clusters and rigid regions, and the other qualities also from the map
@@ -496,20 +484,13 @@ std::optional<Candidate> searchMap(std::shared_ptr<const Soup> soup, const Snaps
     return best;
 }
 
-bool needsManyCuts(const Snapshot &snapshot, int most)
-{
-    const Topology topology = topologyOf(*snapshot.mesh);
-    return isComplicated(topology, UnwrapQuality::Draft) && topology.borders + topology.handles <= most &&
-           isUnsteered(snapshot) && !startsFromNets(snapshot) && !isTangled(*snapshot.mesh);
-}
-
 bool startsFromClusterNets(const Snapshot &snapshot)
 {
     if (!isUnsteered(snapshot) || !isPartlyRigid(snapshot) || startsFromNets(snapshot))
         return false;
     // On a simple surface of 46 parts, a machine, this shortens the seams of drafts and of standard by 22 %.
     // A figure with flat soles gets seams of twice the length from it.
-    return isComplicated(topologyOf(*snapshot.mesh), UnwrapQuality::Standard) ||
+    return isComplicated(*snapshot.mesh, UnwrapQuality::Standard) ||
            preference::isMostlyHard(*snapshot.mesh, snapshot.settings.surface);
 }
 

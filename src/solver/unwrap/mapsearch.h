@@ -30,11 +30,6 @@ struct WishedSymmetry
                                                  const JobContext &job, const WishedSymmetry &symmetry,
                                                  int &iterations);
 
-//! True when a draft that nothing steers starts from a map of the soup or of clusters, as few first cuts
-//! alone would miss good maps: where a part of the surface has several borders or handles. \param most
-//! borders and handles of all parts together; false when there are more
-[[nodiscard]] bool needsManyCuts(const Snapshot &snapshot, int most);
-
 //! True when a draft starts from clusters and rigid regions joined to nets, and the other qualities also from
 //! the map of that draft. \param snapshot with the preferences in its weights
 [[nodiscard]] bool startsFromClusterNets(const Snapshot &snapshot);
