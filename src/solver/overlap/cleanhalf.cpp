@@ -139,9 +139,11 @@ std::vector<int> cleanHalf(const MeshData &mesh, const UvMatrix &soupUv, const s
                            int seedTriangle, const OverlapOptions &options)
 {
     const auto isCancelled = [&] { return options.job.stopped(); };
-    auto [triangles, graph, complete] = conflictsOfChart(mesh, soupUv, cut, seedTriangle, options);
-    if (!complete)
+    ChartConflicts conflicts = conflictsOfChart(mesh, soupUv, cut, seedTriangle, options);
+    if (!conflicts.complete)
         return {};
+    std::vector<int> &triangles = conflicts.triangles;
+    const UnitGraph &graph = conflicts.graph;
     std::vector<int> members;
     for (int t : triangles) {
         if (members.empty() || members.back() != graph.unitOfTriangle[t])
