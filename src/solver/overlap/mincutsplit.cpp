@@ -12,7 +12,7 @@ MinCutSplitter::MinCutSplitter(const UnitGraph &graph, const std::vector<std::in
 
 bool MinCutSplitter::exhausted(const MaxFlow &flow) const
 {
-    // Bounds the time that the cuts of one chart may take, to about a second. Chosen by hand.
+    // Bounds the time that the cuts of one chart may take. Chosen by hand.
     constexpr std::int64_t mostVisits = 50'000'000;
     return flow.visits() > mostVisits || mJob.stopped();
 }
