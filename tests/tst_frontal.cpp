@@ -7,6 +7,10 @@
 
 #include <stdexcept>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace tst_frontal {
 
 using namespace autocuts;
@@ -181,6 +185,41 @@ private Q_SLOTS:
                 first = x;
             QVERIFY(x == first);
         }
+    }
+
+    //! A live solve factorises thirty times a second for as long as it runs.
+    void memoryDoesNotGrow_data()
+    {
+        QTest::addColumn<QString>("shape");
+        for (const char *shape : {"grid", "three grids"})
+            QTest::newRow(shape) << QString::fromLatin1(shape);
+    }
+    void memoryDoesNotGrow()
+    {
+#if defined(__GLIBC__) && !defined(AUTOCUTS_SANITIZED)
+        QFETCH(QString, shape);
+        int nodes = 0;
+        const auto edges = edgesOf(shape, nodes);
+        const LinearSolver::Matrix matrix = ordered(blockMatrix(nodes, edges, 3));
+        ThreadTeam team;
+        FrontalSolver frontal(team);
+        frontal.analyze(matrix, LinearSolver::Order::Natural);
+        const auto inUse = [&](int times) {
+            for (int i = 0; i < times; ++i) {
+                if (!frontal.factorize(matrix))
+                    return std::size_t(0);
+            }
+            const struct mallinfo2 info = mallinfo2();
+            return info.uordblks + info.hblkhd;
+        };
+        const std::size_t before = inUse(5), after = inUse(100);
+        QVERIFY(before > 0 && after > 0);
+        // Memory is used again in another order each time, so that some of it still grows.
+        QVERIFY2(after < before + before / 2,
+                 qPrintable(QStringLiteral("%1 bytes, then %2").arg(before).arg(after)));
+#else
+        QSKIP("this library of C does not tell how much memory is in use");
+#endif
     }
 
     void indefiniteMatricesAreRefused()

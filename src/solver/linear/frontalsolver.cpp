@@ -193,17 +193,25 @@ bool FrontalSolver::factorize(const Matrix &lower)
     return good;
 }
 
+FrontalSolver::Scratch &FrontalSolver::scratchOf(int node)
+{
+    const auto task =
+        std::upper_bound(mTasks.begin(), mTasks.end(), node, [](int n, const Task &t) { return n < t.end; });
+    const bool inTask = task != mTasks.end() && node >= task->begin;
+    return inTask ? mScratch[static_cast<std::size_t>(task - mTasks.begin())] : mScratch.back();
+}
+
 bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
 {
     const Layout &l = mLayout[node];
     float *inverse = flat(mInverse) + l.inverse;
     std::fill(inverse, inverse + static_cast<std::ptrdiff_t>(l.pivots) * l.pivotStride, 0.0f);
     scratch.coupling.assign(lanesFor(static_cast<std::size_t>(l.pivots) * l.stride), Lanes{});
-    if (!scratch.spare.empty()) {
-        mUpdate[node] = std::move(scratch.spare.back());
+    Floats &update = mUpdate[node];
+    if (l.rows > 0 && !scratch.spare.empty()) {
+        update = std::move(scratch.spare.back());
         scratch.spare.pop_back();
     }
-    Floats &update = mUpdate[node];
     update.resize(std::max(update.size(), lanesFor(static_cast<std::size_t>(l.rows) * l.updateStride)));
     addEntries(lower, node, flat(scratch.coupling));
     const int *begin = mStructure.children.data() + mStructure.childBegin[node];
@@ -222,7 +230,7 @@ bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
                 l.updateStride);
     for (const int *child = begin; child != end; ++child) {
         addChild(*child, node, false, nullptr);
-        scratch.spare.push_back(std::move(mUpdate[*child]));
+        scratchOf(*child).spare.push_back(std::move(mUpdate[*child]));
     }
     packFront(flat(scratch.solved), l.pivots, l.stride, mCoupling.data() + l.coupling);
     return true;

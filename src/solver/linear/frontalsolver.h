@@ -58,6 +58,8 @@ private:
 
     void makeTasks();
     void makeFronts();
+    //! Of the thread that eliminates a supernode.
+    Scratch &scratchOf(int node);
     bool eliminate(const Matrix &lower, int node, Scratch &scratch);
     void addEntries(const Matrix &lower, int node, float *coupling);
     void addChild(int child, int node, bool eliminated, float *coupling);
