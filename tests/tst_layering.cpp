@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -239,6 +240,27 @@ private Q_SLOTS:
             for (const std::string &folder : layer.folders)
                 QVERIFY2(fs::is_directory(sourceRoot / layer.name / folder),
                          (layer.name + "/" + folder).c_str());
+        }
+    }
+
+    //! By a README of its own, or by that of the folder above.
+    void everyFolderIsDescribed()
+    {
+        const auto textOf = [](const fs::path &file) {
+            std::ifstream stream(file);
+            return std::string(std::istreambuf_iterator<char>(stream), {});
+        };
+        for (const Layer &layer : layers) {
+            for (const std::string &folder : layer.folders) {
+                if (layer.name.empty())
+                    continue; // main.cpp
+                const fs::path path =
+                    folder.empty() ? sourceRoot / layer.name : sourceRoot / layer.name / folder;
+                const std::string above = textOf(path.parent_path() / "README.md");
+                QVERIFY2(fs::exists(path / "README.md") ||
+                             above.find("`" + path.filename().string() + "`") != above.npos,
+                         path.c_str());
+            }
         }
     }
 
