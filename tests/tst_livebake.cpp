@@ -4,6 +4,7 @@
 #include "model/io/pictures/picturefiles.h"
 #include "support/bakesession.h"
 #include "support/mappedmodels.h"
+#include "support/patience.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
 #include "views/control/files/filecontroller.h"
@@ -52,7 +53,7 @@ void TestLiveBake::liveBakesFollowTheMap()
     QVERIFY(live.isOn());
     QCOMPARE(live.map(), u"object-normal"_s);
     QVERIFY(session.context.view.options().pattern == Pattern::Baked);
-    QTRY_VERIFY_WITH_TIMEOUT(!live.isRefining() && live.updates() >= 3, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!live.isRefining() && live.updates() >= 3, test::patience);
     QVERIFY(!QFile::exists(session.file("low_object-normal.png")));
     QVERIFY(session.window.meshView().grab().toImage() != modelBefore);
     const QImage first = live.pictures().images.front();
@@ -61,17 +62,17 @@ void TestLiveBake::liveBakesFollowTheMap()
     const int updates = live.updates();
     session.context.map.pack(PackScope::All);
     QVERIFY(session.jobsRest());
-    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > updates, 30000);
-    QTRY_VERIFY_WITH_TIMEOUT(live.pictures().images.front() != first, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > updates, test::patience);
+    QTRY_VERIFY_WITH_TIMEOUT(live.pictures().images.front() != first, test::patience);
     const QImage packed = live.pictures().images.front();
     session.press(Qt::Key_Z, Qt::ControlModifier);
-    QTRY_VERIFY_WITH_TIMEOUT(live.pictures().images.front() == first, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.pictures().images.front() == first, test::patience);
     session.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QTRY_VERIFY_WITH_TIMEOUT(live.pictures().images.front() == packed, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.pictures().images.front() == packed, test::patience);
     // It goes on while a solve runs.
     const int before = live.updates();
     session.press(Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > before + 2, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > before + 2, test::patience);
     session.press(Qt::Key_Space);
     QVERIFY(session.jobsRest());
     QVERIFY(live.isOn());
@@ -89,7 +90,7 @@ void TestLiveBake::liveNormalsAreLit()
         return user.dialog.result();
     });
     const auto rests = [&] { return !live.isRefining() && live.updates() > 0; };
-    QTRY_VERIFY_WITH_TIMEOUT(rests() && session.context.pictures.light().environment(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(rests() && session.context.pictures.light().environment(), test::patience);
     QVERIFY(live.isLit());
     const auto middle = [](QWidget &view) {
         const QImage image = view.grab().toImage();
@@ -101,10 +102,11 @@ void TestLiveBake::liveNormalsAreLit()
         session.context.view.setOptions(options);
     };
     MeshView &model = session.window.meshView();
-    QTRY_VERIFY(middle(model).hsvSaturationF() < 0.2); // not the blue of normals
+    QTRY_VERIFY_WITH_TIMEOUT(middle(model).hsvSaturationF() < 0.2, test::patience); // not the blue of normals
     const QColor before = middle(model);
     turnLight(150);
-    QTRY_VERIFY(std::abs(middle(model).lightnessF() - before.lightnessF()) > 0.01);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(middle(model).lightnessF() - before.lightnessF()) > 0.01,
+                             test::patience);
     const QImage map = session.window.uvView().grab().toImage();
     int blue = 0;
     for (int y = 0; y < map.height(); y += 4) {
@@ -113,7 +115,7 @@ void TestLiveBake::liveNormalsAreLit()
     }
     QVERIFY2(blue > 500, qPrintable(QString::number(blue)));
     live.choose(u"height"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(rests(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(rests(), test::patience);
     QVERIFY(!live.isLit());
 }
 
@@ -149,12 +151,12 @@ void TestLiveBake::liveColorsGoAlong()
         }
         return reds > 1000 && others == 0;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(!live.isRefining() && live.updates() >= 3, 60000);
-    QTRY_VERIFY(isRed());
+    QTRY_VERIFY_WITH_TIMEOUT(!live.isRefining() && live.updates() >= 3, test::patience);
+    QTRY_VERIFY_WITH_TIMEOUT(isRed(), test::patience);
     const int updates = live.updates();
     session.context.map.pack(PackScope::All);
     QVERIFY(session.jobsRest());
-    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > updates && isRed(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > updates && isRed(), test::patience);
 }
 
 void TestLiveBake::liveBakesEnd()
@@ -179,7 +181,7 @@ void TestLiveBake::liveBakesEnd()
     begin();
     session.context.map.unwrap(unwrap::UnwrapQuality::Draft);
     QVERIFY(session.jobsRest());
-    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0 && !live.isRefining(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0 && !live.isRefining(), test::patience);
     // What cannot be read.
     session.bake([&](const DialogUser &user) {
         QFile(session.low).resize(3);
@@ -187,7 +189,7 @@ void TestLiveBake::liveBakesEnd()
         QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
         return user.dialog.result();
     });
-    QTRY_VERIFY(!live.isOn());
+    QTRY_VERIFY_WITH_TIMEOUT(!live.isOn(), test::patience);
     QVERIFY(session.failed.last().first().toString().contains(u"low.obj"_s));
 }
 
@@ -199,7 +201,7 @@ void TestLiveBake::liveBakesFillAllTiles()
         QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
         return user.dialog.result();
     });
-    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0, test::patience);
     QCOMPARE(live.pictures().sets.size(), std::size_t(1));
     const std::map<int, int> expected{{0, 0}, {1, 3}}; // three layers each
     QCOMPARE(live.pictures().sets.front().tiles, expected);
@@ -229,7 +231,7 @@ void TestLiveBake::whatALiveBakeMissesIsSaid()
         });
         const LiveBake &live = session.context.liveBake;
         QVERIFY(live.map() == u"ao"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 1 && !live.isRefining(), 120000);
+        QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 1 && !live.isRefining(), test::patience);
     };
     show(u"2"_s);
     QCOMPARE(session.failed.count(), 0);
@@ -248,9 +250,9 @@ void TestLiveBake::anotherMapIsShownLive()
         QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
         return user.dialog.result();
     });
-    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0, test::patience);
     auto *maps = session.window.findChild<QComboBox *>(u"bakedMap"_s);
-    QTRY_COMPARE(maps->currentData().toString(), u"normal"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(maps->currentData().toString(), u"normal"_s, test::patience);
     QCOMPARE(maps->count(), jobs::bakeMapNames().size());
     const QImage normals = live.pictures().images.front();
     // By the keys to the height, without reading the detailed model again.
@@ -258,7 +260,7 @@ void TestLiveBake::anotherMapIsShownLive()
     maps->setFocus();
     QTest::keyClick(maps, Qt::Key_End);
     QCOMPARE(live.map(), u"height"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0 && !live.isRefining(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0 && !live.isRefining(), test::patience);
     QVERIFY(live.isOn());
     const QRgb height = live.pictures().images.front().pixel(200, 820);
     QVERIFY(live.pictures().images.front() != normals);
