@@ -1,7 +1,6 @@
 #include "solver/search/seamnecks.h"
 
 #include "solver/base/alignedborder.h"
-#include "solver/base/constant.h"
 #include "solver/search/shortestpaths.h"
 
 #include <algorithm>
@@ -16,9 +15,8 @@ namespace autocuts::search {
 namespace {
 
 // Chosen by hand, by looking at maps of machines and vehicles.
-AUTOCUTS_CONSTANT(double, longest, 0.6); //!< neck, as a share of the square root of the island's area
-constexpr double inwards = -0.17;        //!< turn of the border where a neck begins, radians
-constexpr std::size_t mostStarts = 300;  //!< points at which necks of a loop are looked for
+constexpr double inwards = -0.17;       //!< turn of the border where a neck begins, radians
+constexpr std::size_t mostStarts = 300; //!< points at which necks of a loop are looked for
 
 int nextSide(int side)
 {
@@ -52,8 +50,7 @@ public:
             mUpTo[i + 1].add(state.at(nextSide(loop[i])) - state.at(loop[i]),
                              soup.perCopy * copies * sideLength(loop[i]));
         }
-        const double area = std::numbers::pi * state.chartArea[state.chart[loop.front() / 3]];
-        mReach = std::min(longest * std::sqrt(area), alignmentCost * (whole().length() - whole().most()));
+        mReach = alignmentCost * (whole().length() - whole().most());
     }
 
     std::vector<Neck> all(const JobContext &job)
