@@ -257,9 +257,9 @@ private Q_SLOTS:
                 const fs::path path =
                     folder.empty() ? sourceRoot / layer.name : sourceRoot / layer.name / folder;
                 const std::string above = textOf(path.parent_path() / "README.md");
-                QVERIFY2(fs::exists(path / "README.md") ||
-                             above.find("`" + path.filename().string() + "`") != above.npos,
-                         path.c_str());
+                std::string name("`");
+                name.append(path.filename().string()).append("`");
+                QVERIFY2(fs::exists(path / "README.md") || above.find(name) != above.npos, path.c_str());
             }
         }
     }
