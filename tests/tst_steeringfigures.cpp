@@ -249,10 +249,15 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("mesh");
         QTest::addColumn<double>("left"); // share of the overlaps
-        // Its draft covers itself in two layers.
+        // Their drafts cover themselves in two layers, but that of the horse as Clang rounds it.
+#ifdef __clang__
+        constexpr double leftOnHorse = 0.1;
+#else
+        constexpr double leftOnHorse = 0;
+#endif
+        QTest::newRow("horse_quad") << u"polygons/horse_quad.obj"_s << leftOnHorse;
         QTest::newRow("girl1") << u"organic/girl1.obj"_s << 0.0;
-        // There are more, on the horse with some compilers only: one drag takes most of the overlaps away.
-        QTest::newRow("horse_quad") << u"polygons/horse_quad.obj"_s << 0.1;
+        // There are more: one drag takes most of the overlaps away.
         QTest::newRow("homer") << u"organic/homer.obj"_s << 0.1;
         QTest::newRow("male_2") << u"organic/male_2_f20000.obj"_s << 0.1;
     }

@@ -58,7 +58,7 @@ private:
 
     void makeTasks();
     void makeFronts();
-    //! Of the thread that eliminates a supernode.
+    //! The memory of the thread that eliminates this supernode.
     Scratch &scratchOf(int node);
     bool eliminate(const Matrix &lower, int node, Scratch &scratch);
     void addEntries(const Matrix &lower, int node, float *coupling);
