@@ -33,20 +33,20 @@ bool contains(const std::vector<int> &edges, int e)
 
 //! Adds the mirror images of the edges. An edge that would have to be both opened and closed ends up in both
 //! lists, and SeamTrial refuses the change.
-SeamChange SeamSearch::withMirrorImages(const SeamChange &change) const
+SeamChange SeamSearch::withMirrorImages(const SeamChange &change, const CutState &state)
 {
-    const std::vector<int> &mirror = mState.graph->mirror;
+    const std::vector<int> &mirror = state.graph->mirror;
     SeamChange both = change;
     if (mirror.empty())
         return both;
     for (const int e : change.open) {
         const int m = mirror[e];
-        if (m >= 0 && !contains(both.open, m) && (!mState.cut[m] || contains(change.close, m)))
+        if (m >= 0 && !contains(both.open, m) && (!state.cut[m] || contains(change.close, m)))
             both.open.push_back(m);
     }
     for (const int e : change.close) {
         const int m = mirror[e];
-        if (m >= 0 && mState.cut[m] && !contains(both.close, m))
+        if (m >= 0 && state.cut[m] && !contains(both.close, m))
             both.close.push_back(m);
     }
     return both;
@@ -83,20 +83,40 @@ std::vector<std::vector<int>> SeamSearch::seamsAround(int chart) const
 bool SeamSearch::absorb(int chart)
 {
     const int triangles = static_cast<int>(std::count(mState.chart.begin(), mState.chart.end(), chart));
-    const int size = std::min(3 * triangles + mediumPatch, mostPatch);
+    Task join{Absorb};
+    join.size = std::min(3 * triangles + mediumPatch, mostPatch);
+    join.steps = absorbSteps;
+    join.minGain = leastGainOf(*mState.graph);
+    std::vector<Task> joins;
     for (const std::vector<int> &seam : seamsAround(chart)) {
         for (std::size_t length = seam.size(); length > 0; length /= 2) {
             for (std::size_t first = 0; first + length <= seam.size(); first += length) {
                 const auto begin = seam.begin() + static_cast<std::ptrdiff_t>(first);
-                const SeamChange change{{}, {begin, begin + static_cast<std::ptrdiff_t>(length)}};
-                if (attempt(Absorb, change, size, absorbSteps, leastGainOf(*mState.graph)))
-                    return true;
-                if (stopped())
-                    return false;
+                join.number = ++mTasks;
+                join.change.close.assign(begin, begin + static_cast<std::ptrdiff_t>(length));
+                joins.push_back(join);
             }
         }
     }
+    for (std::size_t i = 0; i < joins.size(); ++i) {
+        if (tryJoin(joins, i))
+            return true;
+        if (stopped())
+            return false;
+    }
     return false;
+}
+
+//! Tries one of several joins, which are tried one after another.
+bool SeamSearch::tryJoin(const std::vector<Task> &joins, std::size_t which)
+{
+    const auto foresight = [&](std::size_t most) {
+        const auto first = joins.begin() + static_cast<std::ptrdiff_t>(which);
+        return std::vector<Task>(
+            first, first + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(most), joins.end() - first));
+    };
+    TrialOutcome outcome;
+    return tryTask(joins[which], foresight, outcome);
 }
 
 //! Triangles of the neighbouring chart next to a seam edge, breadth first, until they and the chart together
@@ -145,6 +165,7 @@ std::vector<int> SeamSearch::regionAcross(int chart, int edge) const
 void SeamSearch::cutApart(const std::vector<int> &edges)
 {
     mTrial.cutApart(edges);
+    mapChanged();
     touchAll();
 }
 
@@ -173,7 +194,7 @@ bool SeamSearch::grow(int chart)
                     join.close.push_back(e);
             }
         }
-        cutApart(withMirrorImages(split).open);
+        cutApart(withMirrorImages(split, mState).open);
         const int size = std::min(3 * static_cast<int>(region.size()) + mediumPatch, mostPatch);
         if ((attempt(Absorb, join, size, absorbSteps, leastGainOf(*mState.graph)) ||
              attempt(Absorb, {{}, {edge}}, size, absorbSteps, leastGainOf(*mState.graph))) &&
@@ -208,14 +229,21 @@ void SeamSearch::joinCharts()
                 sorted.emplace_back(length, std::move(edges));
         }
         std::sort(sorted.begin(), sorted.end());
+        std::vector<Task> joins;
         for (const auto &[length, edges] : sorted) {
+            Task join{Absorb, ++mTasks};
+            join.change.close = edges;
+            join.size = std::clamp(12 * static_cast<int>(edges.size()), 200, 1000);
+            join.steps = absorbSteps;
+            joins.push_back(std::move(join));
+        }
+        for (std::size_t i = 0; i < joins.size(); ++i) {
             if (stopped())
                 return;
-            const int size = std::clamp(12 * static_cast<int>(edges.size()), 200, 1000);
-            if (attempt(Absorb, {{}, edges}, size, absorbSteps, leastGain))
+            if (tryJoin(joins, i))
                 again = true;
             else
-                failed.insert(edges.front());
+                failed.insert(joins[i].change.close.front());
         }
     }
 }

@@ -102,7 +102,7 @@ void keepMostPromising(Runs &runs, int count, Runs &retired)
 
 //! The best map of all may come from a run that was given up: those that promise a better map than the best
 //! one has turned out to be are taken to the bound as well. \returns the run with the best map
-const SeamRun &bestOfAll(const Runs &runs, Runs &retired)
+const SeamRun &bestOfAll(const Runs &runs, Runs &retired, int threads)
 {
     const auto better = [](const auto &a, const auto &b) { return hasBetterMap(*a, *b); };
     const SeamRun *best = std::min_element(runs.begin(), runs.end(), better)->get();
@@ -111,8 +111,10 @@ const SeamRun &bestOfAll(const Runs &runs, Runs &retired)
     for (const auto &run : retired) {
         const bool unlikeBest = run->anchorFaults() < best->anchorFaults() || !best->fits();
         if (unlikeBest || run->expectedCost() < worthChance * best->bestScore()) {
-            if (chances-- > 0)
+            if (chances-- > 0) {
+                run->useThreads(threads);
                 run->takeToBound(unlikeBest ? std::numeric_limits<double>::infinity() : best->bestScore());
+            }
         }
         if (hasBetterMap(*run, *best))
             best = run.get();
@@ -254,9 +256,12 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
             options.progress((planned - static_cast<int>(left)) * effort.rounds[round].moves);
         }
         const bool last = round + 1 == effort.rounds.size();
+        const auto searched = std::ranges::count_if(runs, [](const auto &run) { return run != nullptr; });
+        const int threadsOfEach = options.job.threads() / std::max(1, static_cast<int>(searched));
         parallelFor(static_cast<int>(runs.size()), options.job.threads(), [&](int i) {
             if (!runs[i])
                 return;
+            runs[i]->useThreads(std::max(1, threadsOfEach));
             if (round == 0)
                 runs[i]->start();
             runs[i]->search(effort.rounds[round].moves);
@@ -267,7 +272,7 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
         if (runs.empty())
             return std::nullopt;
     }
-    const SeamRun &best = bestOfAll(runs, retired);
+    const SeamRun &best = bestOfAll(runs, retired, options.job.threads());
     int iterations = 0;
     for (const Runs *all : {&runs, &retired}) {
         for (const auto &run : *all)

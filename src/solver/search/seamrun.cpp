@@ -127,9 +127,9 @@ void SeamRun::start()
 
 void SeamRun::search(int moves, double heat)
 {
+    mSearch.setHeat(heat, moves);
     for (int i = 0; i < moves && !mSearch.stopped(); ++i) {
-        mSearch.setHeat(heat * (1 - double(i) / moves));
-        mSearch.tryLargeMove();
+        mSearch.tryLargeMove(std::min(moves - 1 - i, adaptingInterval - 1 - i % adaptingInterval));
         report(1);
         if (i % adaptingInterval == adaptingInterval - 1) {
             adaptMu(0.2);
@@ -137,7 +137,7 @@ void SeamRun::search(int moves, double heat)
                 mSearch.relaxAll(2);
                 mSearch.polish(1);
                 mSearch.cutNecks();
-                mState.updateEnergy();
+                mSearch.updateEnergy();
             }
             keepBest();
         }
@@ -170,7 +170,7 @@ void SeamRun::takeToBound(double mostCost)
         mSearch.setMu(mSearch.mu() * std::pow(4.0, 1.0 / mOptions.effort.squeezes));
         mSearch.polish(1);
         for (int k = 0; k < squeezeMoves; ++k)
-            mSearch.tryLargeMove();
+            mSearch.tryLargeMove(squeezeMoves - 1 - k);
         if (mSearch.relaxAll(2) > 0)
             keepBest();
         report(0);
@@ -193,7 +193,7 @@ void SeamRun::meetBound(double mostCost)
         mSearch.setMu(mu);
         mSearch.polish(1);
         for (int k = 0; k < mOptions.effort.boundMoves && mState.distortion > bound(); ++k)
-            mSearch.tryLargeMove();
+            mSearch.tryLargeMove(mOptions.effort.boundMoves - 1 - k);
         mSearch.relaxAll(mOptions.effort.boundSteps);
         report(0);
         if (isLeast && before - mState.distortion < slowFall * (mState.distortion - bound()))

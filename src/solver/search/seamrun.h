@@ -79,6 +79,8 @@ public:
     SeamRun(const SeamRun &) = delete;
     SeamRun &operator=(const SeamRun &) = delete;
 
+    //! See SeamSearch::useThreads().
+    void useThreads(int threads) { mSearch.useThreads(threads); }
     //! Relaxes the first map.
     void relax();
     //! Joins small charts and polishes the seams. \pre relax()

@@ -110,7 +110,8 @@ std::vector<int> SeamTrial::seedsOf(const SeamChange &change) const
     return seeds;
 }
 
-bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutState *before)
+bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutState *before,
+                        KeptChange *instead)
 {
     mLastGain = impossible;
     if (!mayChange(asked))
@@ -119,6 +120,7 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutSta
     const int oldSmallParts = mState.smallParts;
     const double oldCost = mState.cost, oldLength = mState.length;
     mTopologyChanged = false;
+    mOldAreas = mState.chartArea;
     // What straighter borders may save is known at the end only.
     const double crooked = mState.crooked;
     const double hope = std::min(crooked, hopeOf(change, terms.parts));
@@ -165,6 +167,12 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutSta
             accepted = false;
         }
     }
+    const bool wouldKeep = accepted;
+    if (accepted && instead) {
+        *instead = changeMade(change);
+        undo();
+        accepted = false;
+    }
     if (accepted) {
         if (mTopology.hasSplit()) {
             mState.spreadCharts();
@@ -173,15 +181,59 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms, CutSta
     } else {
         setFlags(change.open, false);
         setFlags(change.close, true);
-        if (mTopologyChanged)
+        if (mTopologyChanged) {
             mTopology.update(mState, change.close, change.open);
+            mState.chartArea = mOldAreas; // without rounding errors
+            mState.smallParts = oldSmallParts;
+        }
         mState.cost = oldCost;
         mState.length = oldLength;
         mState.crooked = crooked;
     }
     for (const int t : mPatch.triangles())
         std::copy_n(&mState.x[6 * static_cast<std::size_t>(t)], 6, &mX[6 * static_cast<std::size_t>(t)]);
-    return accepted;
+    return wouldKeep;
+}
+
+//! \pre the state is as after the change, but for the room between its charts
+KeptChange SeamTrial::changeMade(const SeamChange &change) const
+{
+    KeptChange made;
+    made.change = change;
+    made.triangles = mPatch.triangles();
+    made.energy = mState.energy;
+    made.distortion = mState.distortion;
+    made.cost = mState.cost;
+    made.crooked = mState.crooked;
+    made.length = mState.length;
+    for (const int t : made.triangles) {
+        const auto first = mState.x.begin() + 6 * static_cast<std::ptrdiff_t>(t);
+        made.x.insert(made.x.end(), first, first + 6);
+        made.triangleEnergy.push_back(mState.triangleEnergy[t]);
+    }
+    return made;
+}
+
+void SeamTrial::adopt(const KeptChange &kept)
+{
+    setFlags(kept.change.open, true);
+    setFlags(kept.change.close, false);
+    for (std::size_t i = 0; i < kept.triangles.size(); ++i) {
+        const std::size_t t = static_cast<std::size_t>(kept.triangles[i]);
+        std::copy_n(&kept.x[6 * i], 6, &mState.x[6 * t]);
+        std::copy_n(&kept.x[6 * i], 6, &mX[6 * t]);
+        mState.triangleEnergy[t] = kept.triangleEnergy[i];
+    }
+    mTopology.update(mState, kept.change.open, kept.change.close);
+    mState.energy = kept.energy;
+    mState.distortion = kept.distortion;
+    mState.cost = kept.cost;
+    mState.crooked = kept.crooked;
+    mState.length = kept.length;
+    if (mTopology.hasSplit()) {
+        mState.spreadCharts();
+        mX = mState.x;
+    }
 }
 
 void SeamTrial::cutApart(const std::vector<int> &edges)

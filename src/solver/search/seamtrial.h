@@ -15,6 +15,8 @@ namespace autocuts::search {
 struct SeamChange
 {
     std::vector<int> open, close;
+
+    bool isEmpty() const { return open.empty() && close.empty(); }
 };
 
 //! Conditions for a change to be kept, and the effort spent on it.
@@ -30,6 +32,15 @@ struct TrialTerms
     bool parts = false; //!< the change may part an island, however few edges it opens
 };
 
+//! A change that a trial would keep, and what it changes of the map.
+struct KeptChange
+{
+    SeamChange change; //!< may close more edges than was asked for
+    std::vector<int> triangles;
+    std::vector<double> x, triangleEnergy;                                //!< of these triangles afterwards
+    double energy = 0, distortion = 0, cost = 0, crooked = 0, length = 0; //!< of the map afterwards
+};
+
 //! Trials on one map. The gain of a change is exact, not an estimate, because nothing outside the patch
 //! moves.
 class SeamTrial
@@ -42,7 +53,18 @@ public:
     //! Makes the change and keeps it when it fulfils the terms, else leaves the state as it was.
     //! \param before receives the state as it was, when the change may be kept; null: not asked for
     //! \returns true when the change was kept
-    bool attempt(const SeamChange &change, const TrialTerms &terms, CutState *before = nullptr);
+    bool attempt(const SeamChange &change, const TrialTerms &terms, CutState *before = nullptr)
+    {
+        return attempt(change, terms, before, nullptr);
+    }
+    //! Finds out whether the change would be kept, and leaves the state as it was, to the last bit.
+    //! \param kept set when it would be
+    bool wouldKeep(const SeamChange &change, const TrialTerms &terms, KeptChange &kept)
+    {
+        return attempt(change, terms, nullptr, &kept);
+    }
+    //! Makes a change that a trial on a copy of this map would keep.
+    void adopt(const KeptChange &kept);
     //! Cuts uncut edges that separate charts, and moves the charts apart rigidly.
     void cutApart(const std::vector<int> &edges);
     //! Must be called when the state has been replaced from outside.
@@ -70,6 +92,8 @@ public:
     Patch &patch() { return mPatch; }
 
 private:
+    bool attempt(const SeamChange &change, const TrialTerms &terms, CutState *before, KeptChange *instead);
+    KeptChange changeMade(const SeamChange &change) const;
     bool mayChange(const SeamChange &change) const;
     void closeLoneEdges(SeamChange &change);
     static void setFlags(CutState &state, const std::vector<int> &edges, bool cut);
@@ -98,6 +122,7 @@ private:
     std::vector<double> mX; //!< coordinates of the state, except for the patch during an attempt
     double mLastGain = 0;
     std::vector<double> mOldX, mOldEnergy; //!< of the patch, before keep()
+    std::vector<double> mOldAreas;         //!< of the charts, before an attempt
     double mOldSum = 0, mOldDistortion = 0;
     //! Per triangle, for the first one of a chart: the energy from which the chart could not be relaxed.
     std::vector<double> mSettled;
