@@ -176,7 +176,7 @@ TrialOutcome SeamSearch::triedAhead(const Task &task, const Foresight &foresight
     while (!mAhead.empty() && !mAhead.front().task.isSameAs(task))
         mAhead.pop_front();
     if (mAhead.empty()) {
-        const std::size_t most = static_cast<std::size_t>(tasksPerThread * mThreads->threads());
+        const std::size_t most = tasksPerThread * static_cast<std::size_t>(mThreads->threads());
         const std::vector<Task> next = foresight(most);
         std::vector<TrialsAhead::Task> tasks;
         for (const Task &t : next)
