@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 
 namespace autocuts::search {
 
@@ -111,9 +112,8 @@ bool SeamSearch::absorb(int chart)
 bool SeamSearch::tryJoin(const std::vector<Task> &joins, std::size_t which)
 {
     const auto foresight = [&](std::size_t most) {
-        const auto first = joins.begin() + static_cast<std::ptrdiff_t>(which);
-        return std::vector<Task>(
-            first, first + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(most), joins.end() - first));
+        const std::span next = std::span(joins).subspan(which, std::min(most, joins.size() - which));
+        return std::vector<Task>(next.begin(), next.end());
     };
     TrialOutcome outcome;
     return tryTask(joins[which], foresight, outcome);

@@ -115,6 +115,7 @@ bool SeamSearch::attempt(Move move, const SeamChange &asked, int size, int steps
     return kept;
 }
 
+//! One trial, on the map or on a copy of it.
 bool SeamSearch::attemptAt(const Place &place, Move move, const SeamChange &asked, int size, int steps,
                            double minGain) const
 {
@@ -134,6 +135,7 @@ bool SeamSearch::attemptAt(const Place &place, Move move, const SeamChange &aske
     return place.outcome.kept;
 }
 
+//! The trials of a task, on the map or on a copy of it.
 bool SeamSearch::tryAt(const Place &place, const Task &task) const
 {
     if (task.move == Zip)
@@ -171,6 +173,7 @@ bool SeamSearch::tryTask(const Task &task, const Foresight &foresight, TrialOutc
     return outcome.kept;
 }
 
+//! What came of a task on a copy of the map. Tries those that come next as well, unless that has been done.
 TrialOutcome SeamSearch::triedAhead(const Task &task, const Foresight &foresight)
 {
     while (!mAhead.empty() && !mAhead.front().task.isSameAs(task))

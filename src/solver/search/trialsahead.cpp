@@ -54,11 +54,9 @@ TrialsAhead::Copy &TrialsAhead::broughtUpToDate(std::size_t thread)
     std::unique_ptr<Copy> &copy = mCopies[thread];
     if (!copy)
         copy = std::make_unique<Copy>(mMap);
-    else if (copy->version != mVersion) {
+    if (copy->version != mVersion) {
         copy->state = mMap;
         copy->trial.reset();
-    }
-    if (copy->version != mVersion) {
         copy->version = mVersion;
         copy->changes = mChanges.size();
     }
