@@ -1,5 +1,6 @@
 // The program itself: exit codes, streams, signals, and everything that can be wrong with its files.
 #include "cli/progressline.h"
+#include "cli/stopsource.h"
 #include "model/io/files/sessionlock.h"
 #include "model/io/meshes/meshfile.h"
 #include "model/samples/samples.h"
@@ -161,6 +162,35 @@ private Q_SLOTS:
             QVERIFY2(fraction >= 0 && fraction <= 1, qPrintable(line));
             QVERIFY(event.value(QLatin1String("stage")).isString());
         }
+    }
+
+    //! While that is said, a stop ends the program.
+    void progressSaysThatAJobPrepares()
+    {
+        const QString in =
+            file("p.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+        const QString jobs[] = {QStringLiteral("bake %1 -o @maps --maps position --size 16"),
+                                QStringLiteral("lightbake %1 -o @light.png --size 16 --samples 1"),
+                                QStringLiteral("transfer %1 --from %1 -o @p.glb")};
+        for (QString job : jobs) {
+            job = job.arg(in).replace(QLatin1Char('@'), at("prepared_")) + QStringLiteral(" --progress=json");
+            const test::CliRun r = test::runProgram(program(), job.split(QLatin1Char(' ')));
+            QVERIFY2(r.err.startsWith(QLatin1String("{\"fraction\":0,\"stage\":\"preparing\"}\n")),
+                     qPrintable(r.err));
+        }
+    }
+
+    void aStopEndsTheProgramWhileAJobPrepares()
+    {
+        static StopReason endedBy = StopReason::None;
+        StopSource source;
+        source.endProgram = [](StopReason why) { endedBy = why; };
+        source.request(StopReason::TimeLimit);
+        QVERIFY(source.stop);
+        QCOMPARE(endedBy, StopReason::None);
+        source.isPreparing = true;
+        source.request(StopReason::Interrupted);
+        QCOMPARE(endedBy, StopReason::Interrupted);
     }
 
     //! In a file, progress is whole lines, and none of a job that ends soon.

@@ -374,15 +374,23 @@ private:
                          mOptions.input, 0, QStringLiteral("Check the scale and the vertices of the model")});
         if (mOptions.dryRun)
             return sayPlan();
-        const JobContext job(&mStop.stop, mOptions.threads,
-                             [this](const JobProgress &progress) { mProgress.show(progress); });
+        const JobContext job = jobContext();
         const MapMaking making(mOptions, mFiles, job);
         const Result<MadeMap> made = (making.*make)(scene.value());
+        mStop.isPreparing = false;
         mProgress.clear();
         if (!made)
             return fail(made.error());
         mFiles.setIslandFlags(made->flags);
         return writeResults(scene.value(), made.value());
+    }
+
+    JobContext jobContext()
+    {
+        return {&mStop.stop, mOptions.threads, [this](const JobProgress &progress) {
+                    mStop.isPreparing = progress.stage == JobStage::Preparing;
+                    mProgress.show(progress);
+                }};
     }
 
     //! Makes pictures instead of a map.
@@ -392,6 +400,7 @@ private:
         if (const Result<Done> writable = checkTargets(mOptions); !writable)
             return fail(writable.error());
         const StopTimer timer(mOptions.timeLimit, mStop);
+        mStop.isPreparing = true;
         const Result<Scene> scene = readInput(&mStop.stop);
         if (!scene)
             return failReading(scene.error());
@@ -400,9 +409,9 @@ private:
         if (mOptions.dryRun)
             return sayPlan();
         mFiles.mergeSettings(mOptions);
-        const JobContext job(&mStop.stop, mOptions.threads,
-                             [this](const JobProgress &progress) { mProgress.show(progress); });
+        const JobContext job = jobContext();
         const Result<jobs::MadePictures> baked = bake(mOptions, mFiles, scene.value(), job);
+        mStop.isPreparing = false;
         mProgress.clear();
         if (!baked)
             return failReading(baked.error());

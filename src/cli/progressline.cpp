@@ -7,6 +7,18 @@ namespace autocuts {
 
 namespace {
 
+QString wordOf(JobStage stage)
+{
+    switch (stage) {
+    case JobStage::Preparing:
+        return QStringLiteral("preparing");
+    case JobStage::Packing:
+        return QStringLiteral("packing");
+    default:
+        return QStringLiteral("optimising");
+    }
+}
+
 constexpr int lineWidth = 78;
 constexpr int leastMilliseconds = 100;
 
@@ -35,8 +47,7 @@ void ProgressLine::show(const QString &text)
 
 void ProgressLine::show(const JobProgress &progress)
 {
-    const QString stage =
-        progress.stage == JobStage::Packing ? QStringLiteral("packing") : QStringLiteral("optimising");
+    const QString stage = wordOf(progress.stage);
     if (mStyle == ProgressStyle::Json) {
         if (!isDue())
             return;

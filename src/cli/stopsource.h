@@ -16,6 +16,11 @@ struct StopSource
 {
     std::atomic<bool> stop = false;
     std::atomic<StopReason> reason = StopReason::None;
+    //! See JobStage::Preparing.
+    std::atomic<bool> isPreparing = false;
+    //! Called when a stop comes while a job prepares, also by signal handlers; ends the program. Null: the
+    //! job stops as at other times.
+    void (*endProgram)(StopReason why) = nullptr;
 
     //! Requests a stop; only the first reason counts.
     void request(StopReason why)
@@ -23,6 +28,8 @@ struct StopSource
         StopReason none = StopReason::None;
         reason.compare_exchange_strong(none, why);
         stop = true;
+        if (isPreparing && endProgram)
+            endProgram(why);
     }
 };
 

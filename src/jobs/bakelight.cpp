@@ -51,6 +51,7 @@ Result<MadePictures> bakeLight(const PictureInput &input, int textureSet, const 
     const Result<PictureDepth> depth = lightMapDepth(choice.path, choice.bits);
     if (!depth)
         return depth.error();
+    context.enter(JobStage::Preparing);
     const double tileHeight = input.packing.tileHeight();
     QStringList missing;
     Result<LitSurface> surface = litSurface(input.model, choice.surface, textureSet, tileHeight, missing);
@@ -66,6 +67,7 @@ Result<MadePictures> bakeLight(const PictureInput &input, int textureSet, const 
         checkOutputs(pictures + input.alsoWritten, input.kept + QStringList{choice.surface.albedoFile});
     if (!fine)
         return fine.error();
+    context.enter(JobStage::Working);
     FileSet files;
     Result<Done> added = Done{};
     double bright = 0;

@@ -216,6 +216,7 @@ Result<MadePictures> bakePictures(const PictureInput &input, const BakeChoice &c
     const Result<PictureDepth> depth = pictureDepth(choice.suffix, choice.bits);
     if (!depth)
         return depth.error();
+    context.enter(JobStage::Preparing);
     Result<PreparedBake> bake = prepareBake(input.model, input.packing, choice, context);
     if (!bake)
         return bake.error();
@@ -232,6 +233,7 @@ Result<MadePictures> bakePictures(const PictureInput &input, const BakeChoice &c
         return fine.error();
     if (const Result<Done> made = makePictureFolder(choice.folder); !made)
         return made.error();
+    context.enter(JobStage::Working);
     MadePictures made;
     FileSet files;
     Result<Done> added = Done{};

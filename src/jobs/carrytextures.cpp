@@ -155,6 +155,7 @@ Result<CarriedFiles> carryPictures(const CarryPlan &plan, const std::vector<int>
     if (const QString source = plan.overwrittenSource(); !source.isEmpty())
         return Error{JobTexts::tr("the new picture would overwrite the one it is made from"), source, 0,
                      JobTexts::tr("Choose another folder or another ending of the names")};
+    context.enter(JobStage::Working);
     FileSet files;
     std::optional<Error> firstProblem;
     const double count = double(plan.pictures.size());
@@ -202,6 +203,7 @@ Result<MadePictures> carryTextures(const PictureInput &input, const std::optiona
         return Error{JobTexts::tr("the model has no UV map to bake into"), scene.path, 0,
                      JobTexts::tr("Unwrap it first")};
     const double tileHeight = input.packing.tileHeight();
+    context.enter(JobStage::Preparing);
     const Result<Before> before = modelBefore(input, mapOfTextures, choice, context);
     if (!before)
         return before.error();

@@ -1,6 +1,5 @@
 #include "jobs/othermodel.h"
 
-#include "jobs/abandonablework.h"
 #include "model/io/files/savefile.h"
 #include "model/io/meshes/meshfile.h"
 #include "model/io/outputs/fileclashes.h"
@@ -57,9 +56,7 @@ QString setsInWords(const std::vector<UvSet> &sets)
 
 Result<OtherModel> readOtherModel(const QString &path, double tileHeight, const JobContext &context)
 {
-    std::optional<Result<OtherModel>> model =
-        unlessStopped(context, [=](const std::atomic<bool> &stop) { return read(path, tileHeight, stop); });
-    return model ? std::move(*model) : readingCancelled(path);
+    return read(path, tileHeight, context.stopFlag());
 }
 
 Error withLosses(Error error, const OtherModel &model)

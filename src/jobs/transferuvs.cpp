@@ -50,6 +50,7 @@ Result<int> findObject(const std::vector<QString> &names, const QString &name, c
 Result<TransferOutcome> transferUvs(const TransferInput &input, const TransferChoice &choice,
                                     const JobContext &context)
 {
+    context.enter(JobStage::Preparing);
     TransferJob job;
     job.mesh = job.source = input.mesh;
     job.uv = job.sourceUv = input.uv;

@@ -3,7 +3,6 @@
 #include "cli/commandline.h"
 #include "cli/manyfiles/manyfiles.h"
 #include "cli/program/startup.h"
-#include "jobs/abandonablework.h"
 
 #include <QCoreApplication>
 
@@ -41,17 +40,30 @@ void dropWarnings(QtMsgType type, const QMessageLogContext &, const QString &mes
         std::fprintf(stderr, "autocuts-cli: %s\n", qPrintable(message));
 }
 
-//! Ends the program without the destructors of global objects: work that was abandoned may still use
-//! them, and OpenBLAS waits forever for its threads where memory was too scarce to start them.
+//! Ends the program while a job prepares: there is nothing to write.
+void endProgram(autocuts::StopReason why)
+{
+    const bool late = why == autocuts::StopReason::TimeLimit;
+    // stderr has no buffer: that is safe enough for a signal handler.
+    std::fputs(
+        late ? "autocuts-cli: the time limit was over before the model was read and prepared. Give it a "
+               "longer --time-limit\n"
+             : "autocuts-cli: interrupted before the model was read and prepared, nothing was written\n",
+        stderr);
+    std::_Exit(late ? 1 : 130);
+}
+
+//! Ends the program without the destructors of global objects: OpenBLAS waits forever for its threads where
+//! memory was too scarce to start them.
 int ended(int code, QTextStream &out, QTextStream &err)
 {
     out.flush();
     err.flush();
 #ifdef AUTOCUTS_SANITIZED
-    if (autocuts::jobs::abandonedCount == 0)
-        return code; // leaks are looked for at the end
-#endif
+    return code; // leaks are looked for at the end
+#else
     std::_Exit(code);
+#endif
 }
 
 } // namespace
@@ -77,6 +89,7 @@ try {
         return ended(2, out, err);
     }
     // The other commands have nothing to save: a signal simply ends them.
+    stopSource.endProgram = endProgram;
     if (autocuts::canBeStopped(options.value())) {
         std::signal(SIGINT, interrupt);
         std::signal(SIGTERM, interrupt);

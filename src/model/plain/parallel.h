@@ -5,7 +5,6 @@
 #include <atomic>
 #include <exception>
 #include <functional>
-#include <future>
 #include <memory>
 #include <mutex>
 #include <stop_token>
@@ -30,16 +29,6 @@ public:
 private:
     std::jthread mThread;
 };
-
-//! Runs work on a thread that nobody has to wait for. \returns its result, or the exception that it threw
-template <class Work>
-auto startDetached(Work work)
-{
-    std::packaged_task<decltype(work())()> task(std::move(work));
-    auto result = task.get_future();
-    std::thread(std::move(task)).detach();
-    return result;
-}
 
 //! Calls job(0) ... job(count - 1), each once, on at most `threads` threads including the calling one, and
 //! waits. The jobs must not depend on each other. Of the exceptions thrown by jobs, the one of the lowest job

@@ -7,8 +7,9 @@
 
 namespace autocuts {
 
-//! Stage of a job, as it is shown to the user.
-enum class JobStage { Working, SolvingToTheEnd, Refining, Packing };
+//! Stage of a job, as it is shown to the user. Preparing: models are read and made ready. Nothing is found
+//! yet, and a stop may not end that soon.
+enum class JobStage { Working, Preparing, SolvingToTheEnd, Refining, Packing };
 
 //! Progress of a job.
 struct JobProgress
@@ -52,6 +53,8 @@ public:
         progress.fraction = mBegin + (mEnd - mBegin) * progress.fraction;
         mSink(progress);
     }
+    //! A stage begins.
+    void enter(JobStage stage) const { part(0, 1, stage).report(0); }
     bool reports() const { return static_cast<bool>(mSink); }
 
     //! Context for a part of this job: its progress from 0 to 1 is reported as `begin` to `end` of this job.
