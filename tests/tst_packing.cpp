@@ -435,6 +435,32 @@ private Q_SLOTS:
         QCOMPARE(tooLarge.scale, 1.0);
     }
 
+    //! Whether one island fits needs no search.
+    void keepScaleOfOneIsland_data()
+    {
+        QTest::addColumn<double>("width");
+        QTest::addColumn<bool>("fits");
+        QTest::newRow("small") << 0.5 << true;
+        QTest::newRow("only along a diagonal") << 1.2 << true;
+        QTest::newRow("too long") << 1.5 << false;
+    }
+    void keepScaleOfOneIsland()
+    {
+        QFETCH(double, width);
+        PackOptions settings = quick(1000);
+        settings.keepScale = true;
+        settings.rotation = PackRotation::Free;
+        int reports = 0;
+        const JobContext job(nullptr, 1, [&reports](const JobProgress &) { ++reports; });
+        const std::vector<PackIsland> islands{box(0, 0, width, 0.05)};
+        const PackResult result = packIslands(islands, settings, job);
+        QTEST(result.complete, "fits");
+        QCOMPARE(result.scale, 1.0);
+        const QString broken = brokenRule(islands, settings, result);
+        QVERIFY2(!result.complete || broken.isEmpty(), qPrintable(broken));
+        QCOMPARE(reports, 1); // the end
+    }
+
     void cancelReturnsTheBestSoFar()
     {
         const std::vector<PackIsland> islands = randomStars(60, 13);

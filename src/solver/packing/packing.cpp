@@ -176,6 +176,18 @@ Layout searchFrom(const PackProblem &problem, const Layout &start, double ceilin
                              [](const Layout &a, const Layout &b) { return a.scale < b.scale; });
 }
 
+//! A layout at a smaller scale, towards the middle of the bin.
+Layout shrunk(const PackProblem &problem, Layout layout, double scale)
+{
+    const Vec2 middle = 0.5 * (problem.lower + problem.upper);
+    for (int i = 0; i < problem.count(); ++i) {
+        if (problem.movable(i))
+            layout.poses[i].position = middle + scale / layout.scale * (layout.poses[i].position - middle);
+    }
+    layout.scale = scale;
+    return layout;
+}
+
 Layout solve(const PackProblem &problem, const PackOptions &settings, const JobContext &job)
 {
     WorkMeter work(0, job.quiet());
@@ -187,6 +199,8 @@ Layout solve(const PackProblem &problem, const PackOptions &settings, const JobC
         const std::optional<Layout> shelves = packShelves(problem, problem.unit, work);
         if (shelves && isValidLayout(problem, *shelves, work))
             return *shelves;
+        if (const std::optional<Layout> single = fitSingleIsland(problem, work))
+            return single->scale >= problem.unit ? shrunk(problem, *single, problem.unit) : none;
         const Layout found = search(none, problem.unit);
         return found.scale >= problem.unit ? found : none;
     }
