@@ -52,17 +52,25 @@ void BlockCholesky::findRows()
                 ++mColumnStart[j + 1];
             }
         }
-        // Ascending column numbers are a valid order of elimination.
-        std::sort(mPattern.begin() + mPatternStart[k], mPattern.end());
         mPatternStart[k + 1] = static_cast<int>(mPattern.size());
     }
     for (int k = 0; k < mCount; ++k)
         mColumnStart[k + 1] += mColumnStart[k];
+    // Ascending column numbers are a valid order of elimination: transposed twice, the rows have it.
     mRowIndex.resize(mPattern.size());
+    mFilled.assign(mColumnStart.begin(), mColumnStart.end() - 1);
+    for (int k = 0; k < mCount; ++k) {
+        for (int p = mPatternStart[k]; p < mPatternStart[k + 1]; ++p)
+            mRowIndex[mFilled[mPattern[p]]++] = k;
+    }
+    mFilled.assign(mPatternStart.begin(), mPatternStart.end() - 1);
+    for (int j = 0; j < mCount; ++j) {
+        for (int i = mColumnStart[j]; i < mColumnStart[j + 1]; ++i)
+            mPattern[mFilled[mRowIndex[i]]++] = j;
+    }
     mFactor.resize(mPattern.size());
     mPivot.resize(mCount);
     mWork.assign(mCount, Rows{});
-    mFilled.resize(mCount);
 }
 
 void BlockCholesky::clear()
@@ -103,7 +111,6 @@ bool BlockCholesky::factorize(const JobContext &job)
                 mWork[mRowIndex[i]].both -= aacc * __builtin_shufflevector(l.first, l.first, 0, 1, 0, 1) +
                                             bbdd * __builtin_shufflevector(l.second, l.second, 0, 1, 0, 1);
             }
-            mRowIndex[end] = k;
             mFactor[end] = {Pair{a, c}, Pair{b, d}};
             d00 -= a * a + b * b;
             d10 -= c * a + d * b;

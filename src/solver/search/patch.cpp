@@ -10,23 +10,15 @@ namespace {
 //! Share of the way from a point to the mean centroid of its triangles. Chosen by hand.
 constexpr double partingShare = 0.01;
 
-int findRoot(std::vector<int> &parent, int i)
+//! The corners before and after corner c in its triangle.
+int previous(int c)
 {
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
+    return c % 3 == 0 ? c + 2 : c - 1;
 }
 
-void unite(std::vector<int> &parent, int a, int b)
+int next(int c)
 {
-    a = findRoot(parent, a);
-    b = findRoot(parent, b);
-    if (a < b)
-        parent[b] = a;
-    else
-        parent[a] = b;
+    return c % 3 == 2 ? c - 2 : c + 1;
 }
 
 } // namespace
@@ -78,34 +70,49 @@ void Patch::loadBlocks()
     }
 }
 
-//! Numbers the points: corners that are connected over uncut edges form one point.
-void Patch::mergeCorners(const CutState &state)
+void Patch::findAcross(const CutState &state)
 {
     const int corners = 3 * static_cast<int>(mTriangles.size());
-    mParent.resize(corners);
-    for (int c = 0; c < corners; ++c)
-        mParent[c] = c;
+    mAcross.resize(corners);
     for (int c = 0; c < corners; ++c) {
         const int side = 3 * mTriangles[c / 3] + c % 3;
+        mAcross[c] = apart;
         if (state.isCutSide(side))
             continue;
         const int other = mGraph->across[side];
         const int there = mLocal[other / 3];
-        if (there <= c / 3)
-            continue;
-        const int k = other % 3;
-        unite(mParent, c, 3 * there + (k + 1) % 3);
-        unite(mParent, c / 3 * 3 + (c + 1) % 3, 3 * there + k);
+        if (there < 0)
+            mAcross[c] = outside;
+        else if (there != c / 3)
+            mAcross[c] = 3 * there + other % 3;
     }
-    mPoint.resize(corners);
+}
+
+//! Numbers the points: corners that are connected over uncut edges form one point. They lie around it in a
+//! fan, which is walked from one of them to both ends.
+void Patch::mergeCorners()
+{
+    const int corners = static_cast<int>(mAcross.size());
+    mPoint.assign(corners, -1);
     mPointVertex.clear();
-    for (int c = 0; c < corners; ++c) {
-        const int root = findRoot(mParent, c);
-        if (root == c) {
-            mPoint[c] = static_cast<int>(mPointVertex.size());
-            mPointVertex.push_back(mGraph->vertex[3 * mTriangles[c / 3] + c % 3]);
-        } else {
-            mPoint[c] = mPoint[root];
+    for (int first = 0; first < corners; ++first) {
+        if (mPoint[first] >= 0)
+            continue;
+        const int point = static_cast<int>(mPointVertex.size());
+        mPointVertex.push_back(mGraph->vertex[3 * mTriangles[first / 3] + first % 3]);
+        mPoint[first] = point;
+        for (int side = first; mAcross[side] >= 0;) {
+            side = next(mAcross[side]);
+            if (mPoint[side] >= 0)
+                break; // around it
+            mPoint[side] = point;
+        }
+        for (int side = previous(first); mAcross[side] >= 0;) {
+            const int c = mAcross[side];
+            if (mPoint[c] >= 0)
+                break;
+            mPoint[c] = point;
+            side = previous(c);
         }
     }
 }
@@ -117,7 +124,8 @@ bool Patch::join(const CutState &state, const std::vector<double> &x)
     mSprings.clear();
     mStiffness = 0;
     const int corners = 3 * static_cast<int>(mTriangles.size());
-    mergeCorners(state);
+    findAcross(state);
+    mergeCorners();
     const int points = static_cast<int>(mPointVertex.size());
     mPosition.assign(2 * points, 0.0);
     // Until numberUnknowns(), mUnknown is -1 for held points and counts the corners seen so far for others.
@@ -134,11 +142,8 @@ bool Patch::join(const CutState &state, const std::vector<double> &x)
         return true;
     };
     for (int c = 0; c < corners; ++c) {
-        const int side = 3 * mTriangles[c / 3] + c % 3;
-        if (!state.isCutSide(side) && mLocal[mGraph->across[side] / 3] < 0) {
-            if (!hold(c) || !hold(c / 3 * 3 + (c + 1) % 3))
-                return false;
-        }
+        if (mAcross[c] == outside && (!hold(c) || !hold(next(c))))
+            return false;
     }
     for (int c = 0; c < corners && state.anchored; ++c) {
         for (const int i : mGraph->anchors.at(3 * mTriangles[c / 3] + c % 3)) {
@@ -232,11 +237,12 @@ void Patch::numberUnknowns()
         if (a >= 0 && b >= 0 && a != b)
             mLower.emplace_back(std::max(a, b), std::min(a, b));
     };
-    const int triangles = static_cast<int>(mTriangles.size());
-    for (int i = 0; i < triangles; ++i) {
-        link(mPoint[3 * i], mPoint[3 * i + 1]);
-        link(mPoint[3 * i], mPoint[3 * i + 2]);
-        link(mPoint[3 * i + 1], mPoint[3 * i + 2]);
+    // Both sides of an uncut edge have the same points.
+    const int corners = static_cast<int>(mPoint.size());
+    const auto isSecondSide = [this](int c) { return mAcross[c] >= 0 && mAcross[c] < c; };
+    for (int c = 0; c < corners; ++c) {
+        if (!isSecondSide(c))
+            link(mPoint[c], mPoint[next(c)]);
     }
     for (const Spring &s : mSprings)
         link(s.a, s.b);
@@ -245,10 +251,9 @@ void Patch::numberUnknowns()
         const int a = mUnknown[p], b = mUnknown[q];
         return a >= 0 && b >= 0 && a != b ? mSystem.place(std::max(a, b), std::min(a, b)) : -1;
     };
-    mPlace.resize(triangles);
-    for (int i = 0; i < triangles; ++i)
-        mPlace[i] = {place(mPoint[3 * i + 1], mPoint[3 * i]), place(mPoint[3 * i + 2], mPoint[3 * i]),
-                     place(mPoint[3 * i + 2], mPoint[3 * i + 1])};
+    mPlace.resize(corners);
+    for (int c = 0; c < corners; ++c)
+        mPlace[c] = isSecondSide(c) ? mPlace[mAcross[c]] : place(mPoint[c], mPoint[next(c)]);
     for (Spring &s : mSprings)
         s.place = place(s.a, s.b);
     mFrozen.assign(count, 0);
@@ -260,7 +265,7 @@ bool Patch::crossesItself()
         mSegmentsKnown = true;
         mSegments.clear();
         for (int c = 0; c < 3 * static_cast<int>(mTriangles.size()); ++c) {
-            const int from = mPoint[c], to = mPoint[c / 3 * 3 + (c + 1) % 3];
+            const int from = mPoint[c], to = mPoint[next(c)];
             if (!mState->isCutSide(3 * mTriangles[c / 3] + c % 3))
                 continue;
             if (mUnknown[from] >= 0 || mUnknown[to] >= 0)

@@ -79,7 +79,8 @@ public:
 
 private:
     void setTriangles(const std::vector<int> &triangles);
-    void mergeCorners(const CutState &state);
+    void findAcross(const CutState &state);
+    void mergeCorners();
     double distortionOf(const CutState &state) const;
     void numberUnknowns();
     void addSidesAround();
@@ -101,12 +102,15 @@ private:
     std::vector<int> mLocal;            //!< per triangle of the mesh: index in mTriangles, -1 outside
     std::vector<TriangleBlock> mBlocks; //!< of mTriangles
     std::vector<int> mPoint;            //!< per local corner: its point
-    std::vector<int> mParent;           //!< union-find over local corners
-    std::vector<double> mPosition;      //!< per point: u, v in solver units
-    bool mNumbered = false;             //!< mUnknown holds rows
+    //! Per local side, which has the number of its first corner: the local side across its edge. apart: there
+    //! is none; outside: it is not in the patch.
+    std::vector<int> mAcross;
+    static constexpr int apart = -1, outside = -2;
+    std::vector<double> mPosition; //!< per point: u, v in solver units
+    bool mNumbered = false;        //!< mUnknown holds rows
     std::vector<int> mUnknown; //!< per point: its block row in mSystem; -1 when held, before numbering too
     std::vector<int> mPointVertex;           //!< per point: vertex of the uncut surface
-    std::vector<std::array<int, 3>> mPlace;  //!< per local triangle: places of blocks (1,0), (2,0), (2,1)
+    std::vector<int> mPlace;                 //!< per local side: of the block of its ends in mSystem, or -1
     std::vector<std::pair<int, int>> mLower; //!< scratch
     struct Spring
     {

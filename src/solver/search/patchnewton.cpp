@@ -124,13 +124,14 @@ void Patch::assembleTriangle(std::size_t i, const double *g, const double *h)
         d[2] += h[stride * first[k][1]];
         d[3] += h[stride * (first[k][1] + 1)];
     }
-    // Per block: corners k and l, then where its rows 2k and 2k + 1 start at column 2l in h.
-    static constexpr int pairs[3][4] = {{1, 0, 3, 6}, {2, 0, 10, 15}, {2, 1, 12, 17}};
+    // Per side: corners k and l, then where the rows 2k and 2k + 1 of its block start at column 2l in h.
+    static constexpr int pairs[3][4] = {{1, 0, 3, 6}, {2, 1, 12, 17}, {2, 0, 10, 15}};
     for (int n = 0; n < 3; ++n) {
-        if (mPlace[i][n] < 0)
+        const int place = mPlace[3 * i + n];
+        if (place < 0)
             continue;
         const int k = pairs[n][0], l = pairs[n][1], top = pairs[n][2], low = pairs[n][3];
-        BlockCholesky::Block &d = mSystem.offDiagonal(mPlace[i][n]);
+        BlockCholesky::Block &d = mSystem.offDiagonal(place);
         d[0] += h[stride * top];
         d[3] += h[stride * (low + 1)];
         if (unknown[k] > unknown[l]) {
