@@ -283,6 +283,9 @@ private Q_SLOTS:
         QVERIFY(QFile::setPermissions(reader, QFile::ReadOwner | QFile::ExeOwner));
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(QStringLiteral("AUTOCUTS_READER"), reader);
+        const QDir temporary(at("temporary"));
+        QVERIFY(temporary.mkpath(QStringLiteral(".")));
+        environment.insert(QStringLiteral("TMPDIR"), temporary.path());
         QProcess process;
         process.setProcessEnvironment(environment);
         process.start(program(), draft(in, at("read_uv.obj")));
@@ -311,6 +314,7 @@ private Q_SLOTS:
         QVERIFY(process.waitForFinished(120'000));
         QCOMPARE(process.exitCode(), 130);
         QVERIFY(process.readAllStandardError().contains("before the model was read"));
+        QVERIFY(temporary.isEmpty());
     }
 
     void badInputIsExplained_data()

@@ -377,7 +377,7 @@ private:
         const JobContext job = jobContext();
         const MapMaking making(mOptions, mFiles, job);
         const Result<MadeMap> made = (making.*make)(scene.value());
-        mStop.isPreparing = false;
+        setPreparing(false);
         mProgress.clear();
         if (!made)
             return fail(made.error());
@@ -385,10 +385,13 @@ private:
         return writeResults(scene.value(), made.value());
     }
 
+    //! Temporary files would outlive a program that is ended at once.
+    void setPreparing(bool on) { mStop.isPreparing = on && !mStreams.areUsed(); }
+
     JobContext jobContext()
     {
         return {&mStop.stop, mOptions.threads, [this](const JobProgress &progress) {
-                    mStop.isPreparing = progress.stage == JobStage::Preparing;
+                    setPreparing(progress.stage == JobStage::Preparing);
                     mProgress.show(progress);
                 }};
     }
@@ -400,7 +403,7 @@ private:
         if (const Result<Done> writable = checkTargets(mOptions); !writable)
             return fail(writable.error());
         const StopTimer timer(mOptions.timeLimit, mStop);
-        mStop.isPreparing = true;
+        setPreparing(true);
         const Result<Scene> scene = readInput(&mStop.stop);
         if (!scene)
             return failReading(scene.error());
@@ -411,7 +414,7 @@ private:
         mFiles.mergeSettings(mOptions);
         const JobContext job = jobContext();
         const Result<jobs::MadePictures> baked = bake(mOptions, mFiles, scene.value(), job);
-        mStop.isPreparing = false;
+        setPreparing(false);
         mProgress.clear();
         if (!baked)
             return failReading(baked.error());

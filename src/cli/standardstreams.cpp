@@ -41,12 +41,12 @@ Result<Done> StandardStreams::take(CliOptions &options)
     if (options.inputFormat.isEmpty())
         options.inputFormat = options.command == Command::Replay ? u"acproj"_s : u"obj"_s;
     if (options.output == u"-")
-        options.output = mOutput = mFolder.filePath(u"stdout."_s + outputFormatOf(options));
+        options.output = mOutput = fileFor(u"stdout."_s + outputFormatOf(options));
     if (options.report == u"-")
-        options.report = mOutput = mFolder.filePath(u"stdout.json"_s);
+        options.report = mOutput = fileFor(u"stdout.json"_s);
     if (options.input != u"-" || options.command == Command::Sample)
         return Done{};
-    options.input = mInput = mFolder.filePath(u"stdin."_s + options.inputFormat);
+    options.input = mInput = fileFor(u"stdin."_s + options.inputFormat);
     QFile stream, file(options.input);
     if (!stream.open(stdin, QIODevice::ReadOnly))
         return problem(u"the standard input cannot be read"_s, stream);
@@ -54,6 +54,13 @@ Result<Done> StandardStreams::take(CliOptions &options)
     if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size() || !file.flush())
         return problem(u"the standard input cannot be kept"_s, file);
     return Done{};
+}
+
+QString StandardStreams::fileFor(const QString &name)
+{
+    if (!mFolder)
+        mFolder.emplace();
+    return mFolder->filePath(name);
 }
 
 Result<Done> StandardStreams::give(bool isMade) const

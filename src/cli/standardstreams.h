@@ -6,6 +6,8 @@
 
 #include <QTemporaryDir>
 
+#include <optional>
+
 namespace autocuts {
 
 //! Lets commands use standard input and output: temporary files take the place of "-", because readers and
@@ -15,6 +17,8 @@ class StandardStreams final
 public:
     //! Reads standard input when it is the input, and replaces each "-" of the options by a file.
     Result<Done> take(CliOptions &options);
+    //! True when there are temporary files, which the end of this removes.
+    bool areUsed() const { return mFolder.has_value(); }
     //! True when the output or the report is for standard output, which then takes nothing else.
     bool hasOutput() const { return !mOutput.isEmpty(); }
     //! Writes the output to standard output, if it goes there. \param isMade false: the output may be missing
@@ -23,7 +27,9 @@ public:
     QString named(QString text) const;
 
 private:
-    QTemporaryDir mFolder;
+    QString fileFor(const QString &name);
+
+    std::optional<QTemporaryDir> mFolder;
     QString mInput, mOutput; //!< the files; empty where "-" was not given
 };
 
