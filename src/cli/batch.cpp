@@ -358,6 +358,7 @@ private:
         if (const Result<Done> writable = checkTargets(mOptions); !writable)
             return fail(writable.error());
         const StopTimer timer(mOptions.timeLimit, mStop);
+        setPreparing(mOptions.command == Command::Transfer); // the others have a map as soon as they begin
         Result<Scene> scene = readInput(&mStop.stop);
         if (!scene)
             return failReading(scene.error());
