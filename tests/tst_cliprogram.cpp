@@ -177,6 +177,7 @@ private Q_SLOTS:
             const test::CliRun r = test::runProgram(program(), job.split(QLatin1Char(' ')));
             QVERIFY2(r.err.startsWith(QLatin1String("{\"fraction\":0,\"stage\":\"preparing\"}\n")),
                      qPrintable(r.err));
+            QVERIFY2(!r.err.contains(QLatin1String("optimising")), qPrintable(r.err));
         }
     }
 
@@ -191,6 +192,18 @@ private Q_SLOTS:
         source.isPreparing = true;
         source.request(StopReason::Interrupted);
         QCOMPARE(endedBy, StopReason::Interrupted);
+    }
+
+    void progressNamesTheWork()
+    {
+        QString said;
+        QTextStream err(&said);
+        ProgressLine line(ProgressStyle::Lines, err, 0);
+        line.show({0.5, JobStage::Working});
+        line.setWorkingWord(QStringLiteral("baking"));
+        line.show({0.5, JobStage::Working});
+        line.show({0.5, JobStage::Packing});
+        QCOMPARE(said, QStringLiteral("optimising  50 %\nbaking  50 %\npacking  50 %\n"));
     }
 
     //! In a file, progress is whole lines, and none of a job that ends soon.

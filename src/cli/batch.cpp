@@ -71,6 +71,10 @@ public:
           mProgress(styleFor(options, onTerminal), err)
     {
         mClock.start();
+        if (options.command == Command::Bake || options.command == Command::LightBake)
+            mProgress.setWorkingWord(QStringLiteral("baking"));
+        if (options.command == Command::Transfer)
+            mProgress.setWorkingWord(QStringLiteral("transferring"));
     }
 
     int run()

@@ -7,7 +7,12 @@ namespace autocuts {
 
 namespace {
 
-QString wordOf(JobStage stage)
+constexpr int lineWidth = 78;
+constexpr int leastMilliseconds = 100;
+
+} // namespace
+
+QString ProgressLine::wordOf(JobStage stage) const
 {
     switch (stage) {
     case JobStage::Preparing:
@@ -15,14 +20,9 @@ QString wordOf(JobStage stage)
     case JobStage::Packing:
         return QStringLiteral("packing");
     default:
-        return QStringLiteral("optimising");
+        return mWorking;
     }
 }
-
-constexpr int lineWidth = 78;
-constexpr int leastMilliseconds = 100;
-
-} // namespace
 
 bool ProgressLine::isDue()
 {

@@ -27,6 +27,8 @@ public:
     ProgressLine(const ProgressLine &) = delete;
     ProgressLine &operator=(const ProgressLine &) = delete;
 
+    //! \param word for JobStage::Working
+    void setWorkingWord(const QString &word) { mWorking = word; }
     void show(const QString &text);
     void show(const JobProgress &progress);
     //! Erases the line of a terminal, so that other text can be written.
@@ -34,9 +36,11 @@ public:
 
 private:
     bool isDue();
+    QString wordOf(JobStage stage) const;
 
     ProgressStyle mStyle;
     QTextStream &mErr;
+    QString mWorking = QStringLiteral("optimising");
     int mSeldom;
     QElapsedTimer mSince;
     bool mWritten = false;
