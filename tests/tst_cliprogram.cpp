@@ -1,10 +1,7 @@
-// The program itself: exit codes, streams, signals, and everything that can be wrong with its files.
-#include "cli/progressline.h"
-#include "cli/stopsource.h"
+// The program itself: exit codes, streams, and everything that can be wrong with its files.
 #include "model/io/files/sessionlock.h"
 #include "model/io/meshes/meshfile.h"
 #include "model/samples/samples.h"
-#include "solver/metrics/uvmetrics.h"
 #include "support/cliruns.h"
 
 #include <QDir>
@@ -22,22 +19,12 @@
 namespace tst_cliprogram {
 
 using namespace autocuts;
-using namespace autocuts::metrics;
 
 namespace {
 
 QString program()
 {
     return QStringLiteral(AUTOCUTS_CLI);
-}
-
-//! True when the process has a handler for the signal.
-bool catchesSignal(qint64 process, int signal)
-{
-    const QByteArray status = test::readBytes(QStringLiteral("/proc/%1/status").arg(process));
-    const qsizetype at = status.indexOf("SigCgt:");
-    const quint64 mask = at < 0 ? 0 : status.mid(at + 7, 18).trimmed().toULongLong(nullptr, 16);
-    return mask >> (signal - 1) & 1;
 }
 
 QByteArray withLine(const char *line)
@@ -52,15 +39,6 @@ class TestCliProgram : public QObject, private test::OwnFolder
     Q_OBJECT
 
 private:
-    static QStringList draft(const QString &in, const QString &out)
-    {
-        return {QStringLiteral("unwrap"),
-                in,
-                QStringLiteral("-o"),
-                out,
-                QStringLiteral("--quality=draft"),
-                QStringLiteral("--pack-time=0.05")};
-    }
     //! A failure as it should be: code 1, nothing on stdout, one line on stderr with these parts.
     static QString problemWithFailure(const test::CliRun &r, const QStringList &parts)
     {
@@ -108,26 +86,13 @@ private Q_SLOTS:
         QVERIFY(version.out.startsWith(QLatin1String("autocuts-cli ")) && version.out.size() > 15);
     }
 
-    void noProgressInAPipe()
-    {
-        const QString in = file("q.obj", test::sheetObj(5));
-        const test::CliRun r = test::runProgram(program(), draft(in, at("q_uv.obj")));
-        QCOMPARE(r.code, 0);
-        QCOMPARE(r.err, QString());
-        QVERIFY(r.out.contains(QLatin1String("seam_norm")));
-        const test::CliRun quiet =
-            test::runProgram(program(), draft(in, at("q_uv.obj")) << QStringLiteral("--quiet"));
-        QCOMPARE(quiet.code, 0);
-        QCOMPARE(quiet.out + quiet.err, QString());
-    }
-
     //! The same bytes as by files; figures stand in no one's way.
     void standardStreams()
     {
         const QString in = file("stream.obj", test::sheetObj(5)), out = at("stream_uv.ply");
-        QCOMPARE(test::runProgram(program(), draft(in, out)).code, 0);
+        QCOMPARE(test::runProgram(program(), test::draft(in, out)).code, 0);
         QProcess process;
-        process.start(program(), draft(QStringLiteral("-"), QStringLiteral("-"))
+        process.start(program(), test::draft(QStringLiteral("-"), QStringLiteral("-"))
                                      << QStringLiteral("--output-format=ply"));
         process.write(test::sheetObj(5));
         process.closeWriteChannel();
@@ -136,7 +101,7 @@ private Q_SLOTS:
         QCOMPARE(process.readAllStandardOutput(), test::readBytes(out));
         QVERIFY(process.readAllStandardError().contains("seam_norm"));
         // A broken model gives nothing.
-        process.start(program(), draft(QStringLiteral("-"), QStringLiteral("-")));
+        process.start(program(), test::draft(QStringLiteral("-"), QStringLiteral("-")));
         process.write("v 0 0\n");
         process.closeWriteChannel();
         QVERIFY(process.waitForFinished(60'000));
@@ -146,188 +111,6 @@ private Q_SLOTS:
             program(), {QStringLiteral("bake"), out, QStringLiteral("-o"), QStringLiteral("-")});
         QCOMPARE(bake.code, 2);
         QVERIFY2(bake.err.contains(QLatin1String("need a folder")), qPrintable(bake.err));
-    }
-
-    void progressForPrograms()
-    {
-        const QString in = file("j.obj", test::sheetObj(5));
-        const test::CliRun r =
-            test::runProgram(program(), draft(in, at("j_uv.obj")) << QStringLiteral("--progress=json"));
-        QCOMPARE(r.code, 0);
-        const QStringList lines = r.err.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
-        QVERIFY(!lines.isEmpty());
-        for (const QString &line : lines) {
-            const QJsonObject event = QJsonDocument::fromJson(line.toUtf8()).object();
-            const double fraction = event.value(QLatin1String("fraction")).toDouble(-1);
-            QVERIFY2(fraction >= 0 && fraction <= 1, qPrintable(line));
-            QVERIFY(event.value(QLatin1String("stage")).isString());
-        }
-    }
-
-    //! While that is said, a stop ends the program.
-    void progressSaysThatAJobPrepares()
-    {
-        const QString in =
-            file("p.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
-        const QString jobs[] = {QStringLiteral("bake %1 -o @maps --maps position --size 16"),
-                                QStringLiteral("lightbake %1 -o @light.png --size 16 --samples 1"),
-                                QStringLiteral("transfer %1 --from %1 -o @p.glb")};
-        for (QString job : jobs) {
-            job = job.arg(in).replace(QLatin1Char('@'), at("prepared_")) + QStringLiteral(" --progress=json");
-            const test::CliRun r = test::runProgram(program(), job.split(QLatin1Char(' ')));
-            QVERIFY2(r.err.startsWith(QLatin1String("{\"fraction\":0,\"stage\":\"preparing\"}\n")),
-                     qPrintable(r.err));
-            QVERIFY2(!r.err.contains(QLatin1String("optimising")), qPrintable(r.err));
-        }
-    }
-
-    void aStopEndsTheProgramWhileAJobPrepares()
-    {
-        static StopReason endedBy = StopReason::None;
-        StopSource source;
-        source.endProgram = [](StopReason why) { endedBy = why; };
-        source.request(StopReason::TimeLimit);
-        QVERIFY(source.stop);
-        QCOMPARE(endedBy, StopReason::None);
-        source.isPreparing = true;
-        source.request(StopReason::Interrupted);
-        QCOMPARE(endedBy, StopReason::Interrupted);
-    }
-
-    void progressNamesTheWork()
-    {
-        QString said;
-        QTextStream err(&said);
-        ProgressLine line(ProgressStyle::Lines, err, 0);
-        line.show({0.5, JobStage::Working});
-        line.setWorkingWord(QStringLiteral("baking"));
-        line.show({0.5, JobStage::Working});
-        line.show({0.5, JobStage::Packing});
-        QCOMPARE(said, QStringLiteral("optimising  50 %\nbaking  50 %\npacking  50 %\n"));
-    }
-
-    //! In a file, progress is whole lines, and none of a job that ends soon.
-    void progressInAFile_data()
-    {
-        QTest::addColumn<int>("seldom");
-        QTest::addColumn<QString>("said");
-        QTest::newRow("at once") << 0 << QStringLiteral("half\nall\n");
-        QTest::newRow("soon over") << 1'000'000 << QString();
-    }
-    void progressInAFile()
-    {
-        QFETCH(int, seldom);
-        QString said;
-        QTextStream err(&said);
-        ProgressLine line(ProgressStyle::Lines, err, seldom);
-        line.show(QStringLiteral("half"));
-        line.show(QStringLiteral("all"));
-        line.clear();
-        QTEST(said, "said");
-    }
-
-    void progressOnATerminal()
-    {
-        // script(1) of util-linux runs a command on a terminal of its own.
-        if (!QFileInfo::exists(QStringLiteral("/usr/bin/script")))
-            QSKIP("script(1) is not installed");
-        const QString in = file("p.obj", test::sheetObj(5));
-        const QString command = QLatin1Char('"') + program() +
-                                QStringLiteral("\" unwrap --quality draft --lambda 0.2 \"") + in +
-                                QStringLiteral("\" -o \"") + at("p_uv.obj") + QLatin1Char('"');
-        const test::CliRun r =
-            test::runProgram(QStringLiteral("/usr/bin/script"),
-                             {QStringLiteral("-qec"), command, QStringLiteral("/dev/null")});
-        QCOMPARE(r.code, 0);
-        QVERIFY2(r.out.contains(QLatin1String("optimising")), qPrintable(r.out));
-        QVERIFY(r.out.contains(QLatin1Char('\r')));
-    }
-
-    void signalsGiveTheBestMapSoFar_data()
-    {
-        QTest::addColumn<int>("signal");
-        QTest::newRow("SIGINT") << SIGINT;
-        QTest::newRow("SIGTERM") << SIGTERM;
-    }
-    void signalsGiveTheBestMapSoFar()
-    {
-        QFETCH(int, signal);
-        const QString in = at("s.obj"), out = at("s_uv.obj"), report = at("s.json");
-        QVERIFY(writeMesh(makeSample(QStringLiteral("character")).value(), in));
-        QProcess process;
-        process.start(program(), {QStringLiteral("unwrap"), in, QStringLiteral("-o"), out,
-                                  QStringLiteral("--report"), report, QStringLiteral("--quality=best")});
-        QVERIFY(process.waitForStarted());
-        QVERIFY(QTest::qWaitFor([&] { return catchesSignal(process.processId(), signal); }, 60'000));
-        ::kill(static_cast<pid_t>(process.processId()), signal);
-        QVERIFY(process.waitForFinished(120'000));
-        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
-        QCOMPARE(process.exitCode(), 130);
-        const QJsonObject figures = QJsonDocument::fromJson(test::readBytes(report)).object();
-        QCOMPARE(figures.value(QLatin1String("status")).toString(), QStringLiteral("interrupted"));
-        const Result<Scene> scene = readMesh(out);
-        QVERIFY(scene.ok() && scene.value().hasUv());
-        const UvMetrics m = measureUv(*scene.value().mesh, scene.value().uvSets.front().uv);
-        QCOMPARE(m.flipped + m.symDirichletInfinite + m.facesWithoutUv, 0);
-        QCOMPARE(m.overlapPairs, std::int64_t(0));
-        QVERIFY(m.inUnitSquare);
-        QVERIFY(m.charts == 1 || m.minGutterTexels >= 8 * (1 - 1e-6));
-    }
-
-    void aTimeLimitGivesTheBestMapSoFar()
-    {
-        const QString in = at("t.obj"), out = at("t_uv.obj"), report = at("t.json");
-        QVERIFY(writeMesh(makeSample(QStringLiteral("character")).value(), in));
-        const test::CliRun r = test::runProgram(
-            program(), {QStringLiteral("unwrap"), in, QStringLiteral("-o"), out, QStringLiteral("--report"),
-                        report, QStringLiteral("--quality=best"), QStringLiteral("--time-limit=0.05")});
-        QCOMPARE(r.code, 0);
-        const QJsonObject figures = QJsonDocument::fromJson(test::readBytes(report)).object();
-        QCOMPARE(figures.value(QLatin1String("status")).toString(), QStringLiteral("time_limit"));
-        QCOMPARE(figures.value(QLatin1String("flipped")).toInt(-1), 0);
-        QCOMPARE(figures.value(QLatin1String("overlap_pairs")).toInt(-1), 0);
-        QVERIFY(readMesh(out).ok());
-    }
-
-    void readingCanBeInterrupted()
-    {
-        const QString in = file("read.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-        const QString reader = file("reader", "#!/bin/sh\n: > \"$0.runs\"\nexec sleep 1000\n");
-        QVERIFY(QFile::setPermissions(reader, QFile::ReadOwner | QFile::ExeOwner));
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert(QStringLiteral("AUTOCUTS_READER"), reader);
-        const QDir temporary(at("temporary"));
-        QVERIFY(temporary.mkpath(QStringLiteral(".")));
-        environment.insert(QStringLiteral("TMPDIR"), temporary.path());
-        QProcess process;
-        process.setProcessEnvironment(environment);
-        process.start(program(), draft(in, at("read_uv.obj")));
-        QVERIFY(process.waitForStarted());
-        QVERIFY(QTest::qWaitFor([&] { return catchesSignal(process.processId(), SIGINT); }, 60'000));
-        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
-        QVERIFY(process.waitForFinished(120'000));
-        QCOMPARE(process.exitCode(), 130);
-        QVERIFY(process.readAllStandardError().contains("before the model was read"));
-
-        process.start(program(), draft(in, at("read_uv.obj")) << QStringLiteral("--time-limit=0.1"));
-        QVERIFY(process.waitForFinished(120'000));
-        QCOMPARE(process.exitCode(), 1);
-        QVERIFY(process.readAllStandardError().contains("--time-limit"));
-        QVERIFY(!QFileInfo::exists(at("read_uv.obj")));
-
-        // The detailed model of a bake.
-        QVERIFY(QFile::remove(at("reader.runs")));
-        const QString low =
-            file("low.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
-        process.start(program(), {QStringLiteral("bake"), low, QStringLiteral("--high"), in,
-                                  QStringLiteral("-o"), at("read_maps")});
-        QVERIFY(process.waitForStarted());
-        QVERIFY(QTest::qWaitFor([&] { return QFileInfo::exists(at("reader.runs")); }, 60'000));
-        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
-        QVERIFY(process.waitForFinished(120'000));
-        QCOMPARE(process.exitCode(), 130);
-        QVERIFY(process.readAllStandardError().contains("before the model was read"));
-        QVERIFY(temporary.isEmpty());
     }
 
     void badInputIsExplained_data()
@@ -364,22 +147,22 @@ private Q_SLOTS:
         const QString in = file(name, bytes);
         const QString out = file("kept.obj", "kept\n");
         parts << QString::fromLatin1(name);
-        const test::CliRun r = test::runProgram(program(), draft(in, out));
+        const test::CliRun r = test::runProgram(program(), test::draft(in, out));
         QCOMPARE(problemWithFailure(r, parts), QString());
         QCOMPARE(test::readBytes(out), QByteArray("kept\n"));
     }
 
     void missingAndUnreadableInputIsExplained()
     {
-        QCOMPARE(problemWithFailure(test::runProgram(program(), draft(at("missing.obj"), at("x.obj"))),
+        QCOMPARE(problemWithFailure(test::runProgram(program(), test::draft(at("missing.obj"), at("x.obj"))),
                                     {QStringLiteral("missing.obj"), QStringLiteral("no such file")}),
                  QString());
         QVERIFY(QDir(mFolder.path()).mkpath(QStringLiteral("folder.obj")));
-        QCOMPARE(problemWithFailure(test::runProgram(program(), draft(at("folder.obj"), at("x.obj"))),
+        QCOMPARE(problemWithFailure(test::runProgram(program(), test::draft(at("folder.obj"), at("x.obj"))),
                                     {QStringLiteral("folder")}),
                  QString());
         QVERIFY(QFile::link(QStringLiteral("/proc/self/mem"), at("device.obj"))); // readable by nobody
-        QCOMPARE(problemWithFailure(test::runProgram(program(), draft(at("device.obj"), at("x.obj"))),
+        QCOMPARE(problemWithFailure(test::runProgram(program(), test::draft(at("device.obj"), at("x.obj"))),
                                     {QStringLiteral("device.obj")}),
                  QString());
         QVERIFY(!QFileInfo::exists(at("x.obj")));
@@ -388,7 +171,7 @@ private Q_SLOTS:
     void oneTriangleIsEnough()
     {
         const QString in = file("one.obj", withLine("# the end"));
-        const test::CliRun r = test::runProgram(program(), draft(in, at("one_uv.obj")));
+        const test::CliRun r = test::runProgram(program(), test::draft(in, at("one_uv.obj")));
         QVERIFY2(r.code == 0, qPrintable(r.err));
         QVERIFY(readMesh(at("one_uv.obj")).value().hasUv());
     }
@@ -423,9 +206,10 @@ private Q_SLOTS:
                        {QStringLiteral("not a regular file")}),
                  QString());
         QVERIFY(!QFileInfo::exists(at("out.obj")));
-        QCOMPARE(problemWithFailure(test::runProgram(program(), draft(in, QStringLiteral("/proc/out.obj"))),
-                                    {QStringLiteral("/proc")}),
-                 QString());
+        QCOMPARE(
+            problemWithFailure(test::runProgram(program(), test::draft(in, QStringLiteral("/proc/out.obj"))),
+                               {QStringLiteral("/proc")}),
+            QString());
     }
 
     void aFullDiskLeavesTheOldFile()
@@ -471,8 +255,9 @@ private Q_SLOTS:
         environment.insert(QStringLiteral("FAILING_CALL"), QStringLiteral("1"));
         environment.insert(QStringLiteral("FAILING_WITH"), QString::number(EIO));
         process.setProcessEnvironment(environment);
-        process.start(program(), draft(in, out) << QStringLiteral("--quiet") << QStringLiteral("--report")
-                                                << at("later/report.json"));
+        process.start(program(), test::draft(in, out)
+                                     << QStringLiteral("--quiet") << QStringLiteral("--report")
+                                     << at("later/report.json"));
         QVERIFY(process.waitForFinished(60'000));
         const test::CliRun r{process.exitCode(), {}, QString::fromUtf8(process.readAllStandardError())};
         QCOMPARE(problemWithFailure(
@@ -488,11 +273,11 @@ private Q_SLOTS:
         QTest::newRow("check") << QStringList{QStringLiteral("check"), in, QStringLiteral("--json")};
         QTest::newRow("version") << QStringList{QStringLiteral("--version")};
         QTest::newRow("help") << QStringList{QStringLiteral("--help")};
-        QTest::newRow("unwrap") << draft(in, at("lost.obj"));
+        QTest::newRow("unwrap") << test::draft(in, at("lost.obj"));
         const auto words = [this](QString text) {
             return text.replace(QLatin1Char('@'), mFolder.path() + QLatin1Char('/')).split(QLatin1Char(' '));
         };
-        QCOMPARE(test::runInProcess(draft(in, at("mapped.obj"))).code, 0);
+        QCOMPARE(test::runInProcess(test::draft(in, at("mapped.obj"))).code, 0);
         QCOMPARE(test::runInProcess(words(QStringLiteral("convert @mapped.obj -o @lost.acproj"))).code, 0);
         for (const char *text :
              {"pack @mapped.obj -o @lost.obj --pack-time 0.1", "finish @mapped.obj -o @lost.obj",
@@ -532,7 +317,8 @@ private Q_SLOTS:
     void aSessionThatIsOpenElsewhereIsSaid()
     {
         const QString session = at("open.acproj");
-        QCOMPARE(test::runProgram(program(), draft(file("open.obj", test::quadCubeObj()), session)).code, 0);
+        QCOMPARE(
+            test::runProgram(program(), test::draft(file("open.obj", test::quadCubeObj()), session)).code, 0);
         const QStringList pack{QStringLiteral("pack"), session, QStringLiteral("-o"), session};
         {
             const SessionLock lock(session);
@@ -557,7 +343,7 @@ private Q_SLOTS:
         for (int megabytes = 150; megabytes <= 350; megabytes += 2) {
             QStringList arguments{QStringLiteral("--version")};
             if (megabytes % 10 == 0)
-                arguments = draft(in, at("little_uv.obj"));
+                arguments = test::draft(in, at("little_uv.obj"));
             QProcess process;
             const QString script = QStringLiteral("ulimit -v %1; exec \"$0\" \"$@\"").arg(megabytes * 1024);
             process.start(QStringLiteral("/bin/sh"),
@@ -593,7 +379,7 @@ private Q_SLOTS:
             QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
             environment.insert(QStringLiteral("LC_ALL"), QString::fromLatin1(locale));
             process.setProcessEnvironment(environment);
-            process.start(program(), draft(in, out) << QStringLiteral("--layout") << layout);
+            process.start(program(), test::draft(in, out) << QStringLiteral("--layout") << layout);
             QVERIFY(process.waitForFinished(60'000));
             QCOMPARE(process.exitCode(), 0);
             QCOMPARE(process.readAllStandardError(), QByteArray());

@@ -37,6 +37,13 @@ CliRun runProgram(const QString &program, const QStringList &arguments)
     return run;
 }
 
+QStringList draft(const QString &in, const QString &out)
+{
+    return {
+        QStringLiteral("unwrap"),          in, QStringLiteral("-o"), out, QStringLiteral("--quality=draft"),
+        QStringLiteral("--pack-time=0.05")};
+}
+
 QByteArray readBytes(const QString &path)
 {
     QFile file(path);

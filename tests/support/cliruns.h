@@ -20,6 +20,9 @@ CliRun runInProcess(const QStringList &arguments);
 //! Runs a program on its own, without a terminal, and waits for it.
 CliRun runProgram(const QString &program, const QStringList &arguments);
 
+//! Arguments for a quick unwrap.
+QStringList draft(const QString &in, const QString &out);
+
 //! Content of a file; empty when it cannot be read.
 QByteArray readBytes(const QString &path);
 //! Writes a file; false when that fails.
