@@ -176,18 +176,6 @@ Layout searchFrom(const PackProblem &problem, const Layout &start, double ceilin
                              [](const Layout &a, const Layout &b) { return a.scale < b.scale; });
 }
 
-//! A layout at a smaller scale, towards the middle of the bin.
-Layout shrunk(const PackProblem &problem, Layout layout, double scale)
-{
-    const Vec2 middle = 0.5 * (problem.lower + problem.upper);
-    for (int i = 0; i < problem.count(); ++i) {
-        if (problem.movable(i))
-            layout.poses[i].position = middle + scale / layout.scale * (layout.poses[i].position - middle);
-    }
-    layout.scale = scale;
-    return layout;
-}
-
 Layout solve(const PackProblem &problem, const PackOptions &settings, const JobContext &job)
 {
     WorkMeter work(0, job.quiet());
@@ -199,12 +187,13 @@ Layout solve(const PackProblem &problem, const PackOptions &settings, const JobC
         const std::optional<Layout> shelves = packShelves(problem, problem.unit, work);
         if (shelves && isValidLayout(problem, *shelves, work))
             return *shelves;
-        if (const std::optional<Layout> single = fitSingleIsland(problem, work))
-            return single->scale >= problem.unit ? shrunk(problem, *single, problem.unit) : none;
+        if (const std::optional<Layout> single = fitSingleIsland(problem, problem.unit, work))
+            return single->scale >= problem.unit ? *single : none;
         const Layout found = search(none, problem.unit);
         return found.scale >= problem.unit ? found : none;
     }
-    if (const std::optional<Layout> single = fitSingleIsland(problem, work))
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    if (const std::optional<Layout> single = fitSingleIsland(problem, unbounded, work))
         return *single;
     const Layout shelves = largestShelves(problem, work);
     bool anyExtent = false;
@@ -212,7 +201,7 @@ Layout solve(const PackProblem &problem, const PackOptions &settings, const JobC
         anyExtent = anyExtent || (problem.movable(i) && problem.outlines[i].radius > 0);
     if ((!anyExtent || settings.effort == 0) && shelves.scale > 0)
         return shelves;
-    return search(shelves, std::numeric_limits<double>::infinity());
+    return search(shelves, unbounded);
 }
 
 //! With long islands along the axes, where that does not make all islands much smaller. Both ways share the

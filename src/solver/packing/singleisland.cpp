@@ -62,7 +62,7 @@ double bestAngle(const PackProblem &problem, int island, WorkMeter &work)
 
 } // namespace
 
-std::optional<Layout> fitSingleIsland(const PackProblem &problem, WorkMeter &work)
+std::optional<Layout> fitSingleIsland(const PackProblem &problem, double ceiling, WorkMeter &work)
 {
     int only = -1;
     for (int i = 0; i < problem.count(); ++i) {
@@ -76,7 +76,7 @@ std::optional<Layout> fitSingleIsland(const PackProblem &problem, WorkMeter &wor
         return std::nullopt;
     const Outline &outline = problem.outlines[only];
     const double angle = bestAngle(problem, only, work);
-    Layout layout{scaleAtAngle(problem, outline, angle) * (1 - 1e-12), problem.given};
+    Layout layout{std::min(ceiling, scaleAtAngle(problem, outline, angle) * (1 - 1e-12)), problem.given};
     const Turn turn(angle, layout.scale);
     Eigen::AlignedBox2d box;
     for (const Vec2 &p : outline.hull)

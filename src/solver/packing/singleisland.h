@@ -7,8 +7,11 @@
 
 namespace autocuts::packing {
 
-//! Turns the only island so that its box allows the largest scale: samples the angle, then refines it.
+//! Turns the only island so that its box allows the largest scale: samples the angle, then refines it. The
+//! island stands in the middle.
+//! \param ceiling on the scale
 //! \return nothing when there are several islands, or the island is locked or has no extent
-[[nodiscard]] std::optional<Layout> fitSingleIsland(const PackProblem &problem, WorkMeter &work);
+[[nodiscard]] std::optional<Layout> fitSingleIsland(const PackProblem &problem, double ceiling,
+                                                    WorkMeter &work);
 
 } // namespace autocuts::packing
