@@ -10,17 +10,6 @@ namespace {
 //! Share of the way from a point to the mean centroid of its triangles. Chosen by hand.
 constexpr double partingShare = 0.01;
 
-//! The corners before and after corner c in its triangle.
-int previous(int c)
-{
-    return c % 3 == 0 ? c + 2 : c - 1;
-}
-
-int next(int c)
-{
-    return c % 3 == 2 ? c - 2 : c + 1;
-}
-
 } // namespace
 
 Patch::Patch(std::shared_ptr<const SeamGraph> graph)
@@ -102,17 +91,17 @@ void Patch::mergeCorners()
         mPointVertex.push_back(mGraph->vertex[3 * mTriangles[first / 3] + first % 3]);
         mPoint[first] = point;
         for (int side = first; mAcross[side] >= 0;) {
-            side = next(mAcross[side]);
+            side = nextSide(mAcross[side]);
             if (mPoint[side] >= 0)
                 break; // around it
             mPoint[side] = point;
         }
-        for (int side = previous(first); mAcross[side] >= 0;) {
+        for (int side = sideBefore(first); mAcross[side] >= 0;) {
             const int c = mAcross[side];
             if (mPoint[c] >= 0)
                 break;
             mPoint[c] = point;
-            side = previous(c);
+            side = sideBefore(c);
         }
     }
 }
@@ -142,7 +131,7 @@ bool Patch::join(const CutState &state, const std::vector<double> &x)
         return true;
     };
     for (int c = 0; c < corners; ++c) {
-        if (mAcross[c] == outside && (!hold(c) || !hold(next(c))))
+        if (mAcross[c] == outside && (!hold(c) || !hold(nextSide(c))))
             return false;
     }
     for (int c = 0; c < corners && state.anchored; ++c) {
@@ -242,7 +231,7 @@ void Patch::numberUnknowns()
     const auto isSecondSide = [this](int c) { return mAcross[c] >= 0 && mAcross[c] < c; };
     for (int c = 0; c < corners; ++c) {
         if (!isSecondSide(c))
-            link(mPoint[c], mPoint[next(c)]);
+            link(mPoint[c], mPoint[nextSide(c)]);
     }
     for (const Spring &s : mSprings)
         link(s.a, s.b);
@@ -253,7 +242,7 @@ void Patch::numberUnknowns()
     };
     mPlace.resize(corners);
     for (int c = 0; c < corners; ++c)
-        mPlace[c] = isSecondSide(c) ? mPlace[mAcross[c]] : place(mPoint[c], mPoint[next(c)]);
+        mPlace[c] = isSecondSide(c) ? mPlace[mAcross[c]] : place(mPoint[c], mPoint[nextSide(c)]);
     for (Spring &s : mSprings)
         s.place = place(s.a, s.b);
     mFrozen.assign(count, 0);
@@ -265,7 +254,7 @@ bool Patch::crossesItself()
         mSegmentsKnown = true;
         mSegments.clear();
         for (int c = 0; c < 3 * static_cast<int>(mTriangles.size()); ++c) {
-            const int from = mPoint[c], to = mPoint[next(c)];
+            const int from = mPoint[c], to = mPoint[nextSide(c)];
             if (!mState->isCutSide(3 * mTriangles[c / 3] + c % 3))
                 continue;
             if (mUnknown[from] >= 0 || mUnknown[to] >= 0)

@@ -15,6 +15,18 @@
 
 namespace autocuts::search {
 
+//! The sides after and before a side in its triangle; so for the corners, each of which has the number of the
+//! side that begins at it.
+inline int nextSide(int side)
+{
+    return side % 3 == 2 ? side - 2 : side + 1;
+}
+
+inline int sideBefore(int side)
+{
+    return side % 3 == 0 ? side + 2 : side - 1;
+}
+
 //! Vertices and edges of the uncut surface, with edge costs and the user's steering. Immutable after
 //! build(). The vertices are those of the uncut surface: corners connected over edges that are not open.
 struct SeamGraph

@@ -18,16 +18,6 @@ namespace {
 constexpr double inwards = -0.17;       //!< turn of the border where a neck begins, radians
 constexpr std::size_t mostStarts = 300; //!< points at which necks of a loop are looked for
 
-int nextSide(int side)
-{
-    return side / 3 * 3 + (side + 1) % 3;
-}
-
-int sideBefore(int side)
-{
-    return side / 3 * 3 + (side + 2) % 3;
-}
-
 //! The angle of a triangle in the map at a corner.
 double angleAt(const CutState &state, int corner)
 {
