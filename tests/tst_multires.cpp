@@ -121,24 +121,23 @@ CoarseSearch draft(int coarseTriangles)
 {
     CoarseSearch search;
     search.triangles = coarseTriangles;
-    search.unwrap = [](const Snapshot &snapshot, const UnwrapOptions &options, const CarryOver &) {
+    search.find = [](const Snapshot &snapshot, const UnwrapOptions &options, const PrepareMap &) {
         const UnwrapResult result = unwrapMesh(snapshot, options);
-        CarriedMap map;
-        map.map = seamedMapOf(*Soup::build(snapshot.mesh), result.uv, result.cut).value();
-        map.iterations = result.iterations;
-        map.lambda = result.lambda;
-        map.delta = result.delta;
-        return std::optional(map);
+        Candidate found;
+        found.map = seamedMapOf(*Soup::build(snapshot.mesh), result.uv, result.cut).value();
+        found.lambda = result.lambda;
+        found.delta = result.delta;
+        return std::optional(found);
     };
     return search;
 }
 
-std::optional<CarriedMap> carried(const Snapshot &snapshot, const std::shared_ptr<const Soup> &soup,
-                                  int coarseTriangles = 400)
+std::optional<Candidate> carried(const Snapshot &snapshot, const std::shared_ptr<const Soup> &soup,
+                                 int coarseTriangles = 400)
 {
     UnwrapOptions options;
     options.quality = UnwrapQuality::Draft;
-    return mapByCoarse(soup, snapshot, options, draft(coarseTriangles));
+    return mapByCoarse(soup, snapshot, options, draft(coarseTriangles), {});
 }
 
 } // namespace
@@ -304,10 +303,10 @@ private Q_SLOTS:
         snapshot.mesh = meshCalled(QStringLiteral("sphere"));
         const auto soup = Soup::build(snapshot.mesh);
         CoarseSearch search = draft(400);
-        const auto find = search.unwrap;
-        search.unwrap = [&](const Snapshot &coarse, UnwrapOptions options, const CarryOver &carry) {
+        const auto find = search.find;
+        search.find = [&](const Snapshot &coarse, UnwrapOptions options, const PrepareMap &prepare) {
             options.maxDistortion = 4.02;
-            return find(coarse, options, carry);
+            return find(coarse, options, prepare);
         };
         UnwrapOptions options;
         options.quality = UnwrapQuality::Draft;
@@ -323,9 +322,9 @@ private Q_SLOTS:
         snapshot.mesh = triangulated(*meshCalled(QStringLiteral("grid")));
         const auto soup = Soup::build(snapshot.mesh);
         CoarseSearch search = draft(400);
-        search.unwrap = [unwrap = search.unwrap](const Snapshot &coarse, const UnwrapOptions &options,
-                                                 const CarryOver &carry) {
-            std::optional<CarriedMap> map = unwrap(coarse, options, carry);
+        search.find = [find = search.find](const Snapshot &coarse, const UnwrapOptions &options,
+                                           const PrepareMap &prepare) {
+            std::optional<Candidate> map = find(coarse, options, prepare);
             // Presses a triangle flat: moves the corners at one of its points onto the opposite side, all
             // but.
             const int triangles = coarse.mesh->triangleCount();
@@ -347,16 +346,16 @@ private Q_SLOTS:
         UnwrapOptions options;
         options.quality = UnwrapQuality::Draft;
         options.lambda = 0.1; // with a bound, the last search joins what it can
-        const auto map = mapByCoarse(soup, snapshot, options, search);
+        const auto map = mapByCoarse(soup, snapshot, options, search, {});
         QVERIFY(map);
         QCOMPARE(map->map.validate(*soup), std::string());
         QVERIFY(!coversItself(*soup, map->map));
-        const auto chartsOf = [&](const CarriedMap &found) {
+        const auto chartsOf = [&](const Candidate &found) {
             return CutMesh(*snapshot.mesh, found.map.cut).chartCount;
         };
-        QVERIFY(chartsOf(*map) > chartsOf(*mapByCoarse(soup, snapshot, options, draft(400))));
+        QVERIFY(chartsOf(*map) > chartsOf(*mapByCoarse(soup, snapshot, options, draft(400), {})));
         options.lambda.reset();
-        const auto bounded = mapByCoarse(soup, snapshot, options, search);
+        const auto bounded = mapByCoarse(soup, snapshot, options, search, {});
         QVERIFY(bounded);
         QCOMPARE(bounded->map.validate(*soup), std::string());
         const double distortion = bounded->map.distortion(*soup);
@@ -384,17 +383,60 @@ private Q_SLOTS:
         Snapshot snapshot;
         snapshot.mesh = test::cube();
         QVERIFY(!carried(snapshot, Soup::build(snapshot.mesh)));
-        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
-        snapshot.mesh = test::grid(75); // 11,250 triangles
-        QVERIFY(suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
-        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Standard));
+    }
+
+    void meshesThatSuit_data()
+    {
+        QTest::addColumn<int>("side");
+        QTest::addColumn<int>("change");
+        QTest::addColumn<bool>("inDraft");
+        QTest::addColumn<bool>("inStandard");
+        QTest::newRow("small") << 38 << 0 << false << false; // 2,888 triangles
+        QTest::newRow("medium") << 40 << 0 << false << true;
+        QTest::newRow("for drafts") << 75 << 0 << true << true; // 11,250 triangles
         // The flat faces of hard surface would bend.
-        snapshot.settings.surface = SurfaceKind::HardSurface;
-        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
+        QTest::newRow("hard surface") << 75 << 1 << false << false;
+        QTest::newRow("existing UVs") << 75 << 2 << false << false;
+        QTest::newRow("pins") << 75 << 3 << true << false;
+        QTest::newRow("given seams") << 75 << 4 << true << false;
+        QTest::newRow("lambda") << 75 << 5 << false << false;
+        QTest::newRow("coarse version") << 40 << 6 << true << true;
+        QTest::newRow("large") << 120 << 1 << true << true; // 28,800 triangles
+    }
+    void meshesThatSuit()
+    {
+        QFETCH(int, side);
+        QFETCH(int, change);
+        Snapshot snapshot;
+        snapshot.mesh = test::grid(side);
+        snapshot.settings.surface = change == 1 ? SurfaceKind::HardSurface : SurfaceKind::Organic;
+        if (change == 2)
+            snapshot.settings.start = StartMode::ExistingUv;
+        if (change == 3)
+            snapshot.editSteering().pins.emplace_back();
+        if (change == 4)
+            snapshot.settings.seams = SeamMode::Keep;
+        UnwrapOptions options;
+        if (change == 5)
+            options.lambda = 0.1;
+        options.coarse = change == 6;
+        QTEST(suitsCoarseToFine(snapshot, options), "inStandard");
+        options.quality = UnwrapQuality::Draft;
+        QTEST(suitsCoarseToFine(snapshot, options), "inDraft");
+    }
+
+    void coarseVersionsAreAFifth()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::grid(120);
         snapshot.settings.surface = SurfaceKind::Organic;
-        QVERIFY(suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
-        snapshot.settings.start = StartMode::ExistingUv;
-        QVERIFY(!suitsCoarseToFine(snapshot, UnwrapQuality::Draft));
+        QCOMPARE(coarseTriangles(snapshot), 5760);
+        snapshot.mesh = test::grid(150);
+        QCOMPARE(coarseTriangles(snapshot), 9000);
+        snapshot.settings.surface = SurfaceKind::HardSurface;
+        QCOMPARE(coarseTriangles(snapshot), 6000); // it is searched as it is
+        snapshot.mesh = test::grid(40);
+        QCOMPARE(coarseTriangles(snapshot), 1500);
     }
 };
 

@@ -20,7 +20,7 @@ Candidate candidate(double seamCost, double distortion = 4.05, bool onlyPatches 
     return result;
 }
 
-ReadyResult::MakeMap makes(Candidate made)
+MakeMap makes(Candidate made)
 {
     return [made](const JobContext &) { return made; };
 }
@@ -112,7 +112,7 @@ private Q_SLOTS:
 
     void failuresAreTold()
     {
-        const ReadyResult::MakeMap fails = [](const JobContext &) -> std::optional<Candidate> {
+        const MakeMap fails = [](const JobContext &) -> std::optional<Candidate> {
             throw std::runtime_error("no");
         };
         ReadyResult ready(mRanking, placed, fails);
@@ -123,6 +123,25 @@ private Q_SLOTS:
         ready.prepare(fails);
         QVERIFY(takesUp(ready, candidate(4)));
         QCOMPARE(ready.take().seamLength, 4.0);
+    }
+
+    void theNewestIsMadeAfterAStop()
+    {
+        // The second map would have to wait for an hour.
+        ReadyResult ready(mRanking, placed, makes(candidate(9)), {}, std::chrono::hours(1));
+        QCOMPARE(ready.take().seamLength, 9.0);
+        ready.prepare(makes(candidate(8)));
+        ready.prepare(makes(candidate(7)));
+        QCOMPARE(ready.take().seamLength, 7.0);
+        // One that takes long is not waited for.
+        std::atomic<bool> ends = false;
+        ready.prepare([&](const JobContext &) {
+            while (!ends)
+                QTest::qSleep(1);
+            return std::optional(candidate(6));
+        });
+        QCOMPARE(ready.take().seamLength, 7.0);
+        ends = true;
     }
 
     void whatIsBeingMadeIsGivenUp()

@@ -30,6 +30,11 @@ struct Candidate
 //! regions.
 [[nodiscard]] double boundedDistortion(const Soup &soup, const Snapshot &snapshot, const SeamedMap &map);
 
+//! Makes a usable map; nothing when that fails or the job is stopped. May be kept, and called by any thread.
+using MakeMap = std::function<std::optional<Candidate>(const JobContext &)>;
+//! Takes what makes a usable map of what was found so far: a newer one replaces it. Empty: nobody wants them.
+using PrepareMap = std::function<void(MakeMap)>;
+
 //! Compares candidates, keeps the best one and reports the progress of an unwrap. May be used by several
 //! threads at once.
 class Ranking
@@ -53,14 +58,14 @@ public:
     //! Reports that so many further steps are done.
     void stepDone(int steps);
     //! Keeps the map when it is the best so far, for a job that is stopped. Stores its measures for the next
-    //! report. \param measures its map is not looked at \param makeMap returns the map
-    template <typename MakeMap>
-    void offer(Candidate measures, MakeMap makeMap)
+    //! report. \param measures its map is not looked at \param mapOf returns the map
+    template <typename MapOf>
+    void offer(Candidate measures, MapOf mapOf)
     {
         const std::scoped_lock lock(mMutex);
         if (mBest && !better(measures, *mBest))
             return;
-        measures.map = makeMap();
+        measures.map = mapOf();
         mBest = std::move(measures);
         noteFound(mBest->distortion, mReported ? mReported(*mBest) : mBest->seamLength);
         if (mWatcher)

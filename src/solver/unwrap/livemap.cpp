@@ -4,11 +4,11 @@
 #include "solver/base/timelimit.h"
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
-#include "solver/unwrap/coarsemaps.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/mapsearch.h"
+#include "solver/unwrap/mapsontheway.h"
 #include "solver/unwrap/netstarts.h"
 
 #include <utility>
@@ -28,42 +28,10 @@ constexpr int quickSteps = 4;           // Newton steps on the first map
 constexpr double quickTolerance = 1e-2; // energy gained below which the first map counts as relaxed
 //! How long a dragged map is followed although the next move stops that.
 constexpr auto timeOfDrag = std::chrono::milliseconds(150);
-//! Meshes of more triangles than this get a draft by way of a coarser mesh. Twice the size of that mesh. Of
-//! large ones, that way gives the whole map.
-constexpr int sizeForCoarseDraft = 12'000;
+//! Meshes of more triangles than this get a draft first, as an unwrap makes it: a search with one thread
+//! takes longer to the first map within the bound.
+constexpr int sizeForDraft = 12'000;
 constexpr int restShare = 3; // rest after a map was carried over on the way, times what that took
-
-//! Searches a coarse mesh, and hands over the maps within the bound that are found on the way.
-CoarseSearch searchInto(CoarseMaps &onTheWay, UnwrapQuality quality, const JobContext &job)
-{
-    CoarseSearch search;
-    // Relaxing takes one thread: the other one is free.
-    search.relaxing = [&onTheWay](MakeCarriedMap make) { onTheWay.put(std::move(make), true); };
-    search.unwrap = [&onTheWay, quality, &job](const Snapshot &coarse, const UnwrapOptions &options,
-                                               const CarryOver &carry) -> std::optional<CarriedMap> {
-        const auto find = [&](UnwrapQuality effort) {
-            UnwrapOptions how = options;
-            how.quality = effort;
-            Ranking ranking(how, job);
-            ranking.setWatcher([&](const Candidate &best) {
-                if (best.distortion > how.maxDistortion)
-                    return;
-                const CarriedMap map{best.map, 0, 0, 0, best.anchorFaults};
-                onTheWay.put([map, carry](const JobContext &own) { return carry(map, own); }, false);
-            });
-            return findMap(coarse, how, ranking, job);
-        };
-        // A draft of the coarse mesh takes a second and gives a map within the bound.
-        if (quality != UnwrapQuality::Draft)
-            find(UnwrapQuality::Draft);
-        FoundMap found = find(quality);
-        // After an edit nobody waits for this map any more.
-        if (job.stopped() || found.best.onlyPatches)
-            return std::nullopt;
-        return CarriedMap{std::move(found.best.map), found.iterations, 0, 0, found.best.anchorFaults};
-    };
-    return search;
-}
 
 } // namespace
 
@@ -178,7 +146,7 @@ void LiveMap::findFirst(const JobContext &job)
 {
     updateProblem(job);
     if (mProblem.problem().settings.seams == SeamMode::Only) {
-        findByUnwrap(UnwrapQuality::Draft, job);
+        findByUnwrap(UnwrapQuality::Draft, {}, job);
         if (!job.stopped())
             mStage = Stage::Done;
         return;
@@ -192,11 +160,9 @@ void LiveMap::findFirst(const JobContext &job)
     }
     std::optional<search::CutState> quick = makeQuickMap(job);
     // Measured: on truck, plate and chain, a search that began otherwise was behind such a draft after 20 s.
-    if (!mProblem.isSymmetric() && (startsFromClusterNets(mProblem.problem()) || hasAlikeParts(job)))
-        findByUnwrap(UnwrapQuality::Draft, job);
-    else if (mProblem.problem().mesh->triangleCount() > sizeForCoarseDraft && !mProblem.isForCoarse() &&
-             !mProblem.isSymmetric())
-        carryFromCoarse(UnwrapQuality::Draft, std::move(quick), job);
+    if (!mProblem.isSymmetric() && (mProblem.problem().mesh->triangleCount() > sizeForDraft ||
+                                    startsFromClusterNets(mProblem.problem()) || hasAlikeParts(job)))
+        findByUnwrap(UnwrapQuality::Draft, std::move(quick), job);
     if (!job.stopped())
         mStage = Stage::Explore;
 }
@@ -217,24 +183,12 @@ bool LiveMap::hasAlikeParts(const JobContext &job)
     return !mFromMap && !mProblem.isSymmetric() && mBest.hasAlikeParts(job);
 }
 
-//! Finds a map as an unwrap does.
-void LiveMap::findByUnwrap(UnwrapQuality quality, const JobContext &job)
-{
-    UnwrapOptions options;
-    options.maxDistortion = mProblem.plan().searchBound(mOptions.maxDistortion);
-    options.quality = quality;
-    Ranking ranking(options, job);
-    const FoundMap found = findMap(mProblem.part().withoutRectangles(), options, ranking, job);
-    if (!job.stopped())
-        take(found.best.map, job);
-}
-
 //! Changes the map to obey the snapshot; begins anew where that is not possible.
 void LiveMap::steerMap(const JobContext &job)
 {
     updateProblem(job);
     // Coarsening does not stop at once: whoever steers a large mesh gets local searches, which do.
-    mExplored = mExplored || mProblem.isForCoarse();
+    mExplored = mExplored || isLargeMesh(*mProblem.problem().mesh);
     const bool returns = mBack && mBack->token == mSnapshot->token;
     if (returns)
         mBest.giveAgain(mBack);
@@ -313,24 +267,24 @@ std::optional<search::CutState> LiveMap::makeQuickMap(const JobContext &job)
     return state;
 }
 
-//! The map of a coarser mesh, carried over. Meanwhile the quick map is relaxed, and maps that are found on
-//! the way are carried over.
-void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutState> quick,
-                              const JobContext &job)
+//! Finds a map as an unwrap does. Meanwhile the quick map is relaxed, and maps that are found on the way are
+//! made usable.
+void LiveMap::findByUnwrap(UnwrapQuality quality, std::optional<search::CutState> quick,
+                           const JobContext &job)
 {
     UnwrapOptions options;
     options.maxDistortion = mProblem.plan().searchBound(mOptions.maxDistortion);
     options.quality = quality;
-    CoarseMaps onTheWay;
+    MapsOnTheWay onTheWay;
     parallelFor(2, job.threads(), [&](int i) {
         if (i == 0) {
-            const CoarseMaps::Finder finder(onTheWay);
-            const std::optional<CarriedMap> carried =
-                mapByCoarse(mProblem.soup(), mProblem.part().withoutRectangles(), options,
-                            searchInto(onTheWay, quality, job), job.quiet());
-            onTheWay.end(); // the carrier has nothing to do any more, while the map is taken
-            if (carried)
-                take(carried->map, job);
+            const MapsOnTheWay::Finder finder(onTheWay);
+            Ranking ranking(options, job);
+            const FoundMap found = findMap(mProblem.part().withoutRectangles(), options, ranking, job.quiet(),
+                                           [&](MakeMap make) { onTheWay.put(std::move(make)); });
+            onTheWay.end(); // the other thread has nothing to do any more, while the map is taken
+            if (!job.stopped() && !found.onlyReady)
+                take(found.best.map, job);
             return;
         }
         while (quick && !onTheWay.waitsOrEnds() && !job.stopped()) {
@@ -340,25 +294,21 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
             mBest.offer(*quick);
             mBest.giveWaiting(job);
         }
-        while (const MakeCarriedMap make = onTheWay.next()) {
-            const CoarseMaps::Clock::time_point begun = CoarseMaps::Clock::now();
-            if (const std::optional<CarriedMap> carried = make(onTheWay.carrying()))
-                take(carried->map, job);
-            const CoarseMaps::Clock::time_point now = CoarseMaps::Clock::now();
+        while (const MakeMap make = onTheWay.next()) {
+            const MapsOnTheWay::Clock::time_point begun = MapsOnTheWay::Clock::now();
+            if (const std::optional<Candidate> made = make(onTheWay.making()); made && !made->onlyPatches)
+                take(made->map, job);
+            const MapsOnTheWay::Clock::time_point now = MapsOnTheWay::Clock::now();
             onTheWay.restUntil(now + restShare * (now - begun));
         }
     });
 }
 
-//! Searches from many first cuts, as an unwrap does; for a large mesh on one part of each kind, or on a
-//! coarser one.
+//! Searches from many first cuts, as an unwrap does.
 void LiveMap::explore(const JobContext &job)
 {
     if (mProblem.isForCoarse()) {
-        if (hasAlikeParts(job))
-            findByUnwrap(UnwrapQuality::Standard, job);
-        else
-            carryFromCoarse(UnwrapQuality::Standard, mBest.best(), job);
+        findByUnwrap(UnwrapQuality::Standard, mBest.best(), job);
         if (job.stopped())
             return;
         if (mBest.best()) {
@@ -388,7 +338,7 @@ void LiveMap::explore(const JobContext &job)
     if (job.stopped())
         return;
     if (!mBest.best()) // the search alone finds no map
-        findByUnwrap(UnwrapQuality::Draft, job);
+        findByUnwrap(UnwrapQuality::Draft, {}, job);
     mExplored = true;
     mStage = mBest.best() ? Stage::Improve : Stage::Done;
 }

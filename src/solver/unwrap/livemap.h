@@ -39,13 +39,12 @@ private:
     void steerMap(const JobContext &job);
     void findFirst(const JobContext &job);
     std::optional<search::CutState> makeQuickMap(const JobContext &job);
-    void carryFromCoarse(UnwrapQuality quality, std::optional<search::CutState> quick, const JobContext &job);
     void explore(const JobContext &job);
     void exploreSoup(const JobContext &job);
     void improve(const JobContext &job);
     void findStanding(const JobContext &job);
     bool hasAlikeParts(const JobContext &job);
-    void findByUnwrap(UnwrapQuality quality, const JobContext &job);
+    void findByUnwrap(UnwrapQuality quality, std::optional<search::CutState> quick, const JobContext &job);
     void take(const SeamedMap &map, const JobContext &job);
     void take(const search::CutState &state, const JobContext &job);
     search::OptimizeOptions searchOptions(const JobContext &job);

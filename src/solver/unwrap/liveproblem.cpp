@@ -65,7 +65,7 @@ std::optional<double> LiveProblem::mirroredArea() const
 
 bool LiveProblem::isForCoarse() const
 {
-    return isLargeMesh(*mProblem.mesh) && !isSymmetric();
+    return !isSymmetric() && suitsCoarseToFine(mProblem, {});
 }
 
 } // namespace autocuts::unwrap

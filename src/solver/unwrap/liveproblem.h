@@ -40,7 +40,7 @@ public:
     //! Share of the part's area that has a mirror image, 0 where it is not symmetric; nothing when symmetric
     //! seams are not asked for.
     std::optional<double> mirroredArea() const;
-    //! The part is so large that a coarser mesh is searched in its place.
+    //! An unwrap in standard quality finds the map of the part on a coarser mesh first.
     bool isForCoarse() const;
 
 private:

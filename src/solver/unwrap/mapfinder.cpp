@@ -25,11 +25,8 @@ namespace {
 //! Where only the given seams may be seams there is no bound on the distortion. Above all that users can ask
 //! for.
 constexpr double noBound = 1e9;
-constexpr double dearSeam = 100; // factor on the cost of a seam that is not given
-constexpr int relaxSteps = 200;  // Newton steps for a map whose seams stay
-//! A map whose distortion is further above the bound takes long to carry to a finer mesh; none of those is
-//! made ready for a stop.
-constexpr double worthCarrying = 0.5;
+constexpr double dearSeam = 100;   // factor on the cost of a seam that is not given
+constexpr int relaxSteps = 200;    // Newton steps for a map whose seams stay
 constexpr double leastGain = 1e-9; // energy gained in ten steps below which relaxing ends
 
 //! Share of the progress that is for the search on the coarse mesh. A guess that only the progress depends
@@ -39,21 +36,9 @@ constexpr double coarseShare = 0.55;
 //! Share of the stretch allowed that is left for what copies differ by.
 constexpr double copyTolerance = 1e-4;
 
-//! A carried map as a candidate.
-Candidate candidateOf(CarriedMap carried, const Soup &soup, const Snapshot &snapshot)
-{
-    Candidate candidate;
-    candidate.map = std::move(carried.map);
-    candidate.lambda = carried.lambda;
-    candidate.delta = carried.delta;
-    candidate.anchorFaults = carried.anchorFaults;
-    candidate.measure(soup, snapshot);
-    return candidate;
-}
-
 //! Makes the rigid regions of a large mesh keep their shape: those of the coarse mesh are not quite the same.
 void settleCarried(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                   const UnwrapOptions &options, const JobContext &job, CarriedMap &carried)
+                   const UnwrapOptions &options, const JobContext &job, Candidate &carried)
 {
     const Snapshot preferred = preference::SeamPreference().applied(snapshot, job.threads());
     if (!preferred.rigid || job.stopped())
@@ -69,53 +54,35 @@ void settleCarried(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
     definite::equalizeDensity(*soup, snapshot, carried.map);
 }
 
-//! Finds the map of a large mesh by way of a coarser one; nothing when the mesh is not suited or that fails.
-std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+//! Finds the map by way of a coarser mesh; nothing when the mesh is not suited or that fails.
+std::optional<FoundMap> findByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                                      const UnwrapOptions &options, const JobContext &job,
                                      const PrepareMap &prepare)
 {
-    if (!suitsCoarseToFine(snapshot, options.quality))
+    if (!suitsCoarseToFine(snapshot, options))
         return std::nullopt;
-    const auto prepareCarried = [&](MakeCarriedMap make) {
-        prepare([=, make = std::move(make)](const JobContext &own) -> std::optional<Candidate> {
-            std::optional<CarriedMap> carried = make(own);
-            if (!carried)
-                return std::nullopt;
-            return candidateOf(std::move(*carried), *soup, snapshot);
-        });
-    };
-    CoarseSearch search;
-    search.triangles = coarseTriangles(*snapshot.mesh, options.quality);
-    if (prepare)
-        search.relaxing = prepareCarried;
+    FoundMap result;
     const JobContext searching = job.part(0, coarseShare);
-    search.unwrap = [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions, const CarryOver &carry) {
-        const double worst = coarseOptions.maxDistortion + worthCarrying;
-        Ranking coarseRanking(coarseOptions, searching);
-        coarseRanking.setWatcher([&](const Candidate &best) {
-            if (!prepare || best.distortion > worst)
-                return;
-            const CarriedMap map{best.map, 0, best.lambda, best.delta, best.anchorFaults};
-            prepareCarried([=](const JobContext &own) { return carry(map, own); });
-        });
-        FoundMap found = findMap(coarse, coarseOptions, coarseRanking, searching);
+    CoarseSearch search;
+    search.triangles = coarseTriangles(snapshot);
+    search.find = [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions,
+                      const PrepareMap &prepareCoarse) -> std::optional<Candidate> {
+        Ranking ranking(coarseOptions, searching);
+        FoundMap found = findMap(coarse, coarseOptions, ranking, searching, prepareCoarse);
+        result.iterations += found.iterations;
         if (found.best.onlyPatches || job.stopped())
-            return std::optional<CarriedMap>();
-        return std::optional(CarriedMap{std::move(found.best.map), found.iterations, found.best.lambda,
-                                        found.best.delta, found.best.anchorFaults});
+            return std::nullopt;
+        return std::move(found.best);
     };
     const JobContext refining = job.part(coarseShare, Ranking::optimizingShare, JobStage::Refining);
-    std::optional<CarriedMap> carried = mapByCoarse(soup, snapshot, options, search, refining);
+    std::optional<Candidate> carried = mapByCoarse(soup, snapshot, options, search, prepare, refining);
     if (!carried)
         return std::nullopt;
     if (!options.lambda)
         settleCarried(soup, snapshot, options, job, *carried);
-    FoundMap found;
-    found.iterations = carried->iterations;
-    if (snapshot.settings.symmetry == SymmetryMode::On)
-        found.symmetry = 0;
-    found.best = candidateOf(std::move(*carried), *soup, snapshot);
-    return found;
+    carried->measure(*soup, snapshot);
+    result.best = std::move(*carried);
+    return result;
 }
 
 //! Finds the map of a mesh with alike parts from that of one part of each kind; nothing when there are none,
@@ -146,15 +113,12 @@ std::optional<FoundMap> findOneOfEachKind(const std::shared_ptr<const Soup> &sou
     ranking.setReported([&](const Candidate &best) { return parts->seamLength(best.map.cut, *soup); });
     PrepareMap prepareWhole;
     if (prepare) {
-        prepareWhole = [&](ReadyResult::MakeMap make) {
+        prepareWhole = [&](MakeMap make) {
             prepare([whole, make = std::move(make)](const JobContext &context) -> std::optional<Candidate> {
                 std::optional<Candidate> made = make(context);
                 return made ? whole(std::move(*made), context) : std::nullopt;
             });
         };
-        if (!suitsCoarseToFine(parts->snapshot(), own.quality))
-            ranking.setWatcher(
-                [&](const Candidate &best) { prepareWhole([best](const JobContext &) { return best; }); });
     }
     FoundMap found = findMap(parts->snapshot(), own, ranking, job, prepareWhole);
     if (snapshot.settings.symmetry == SymmetryMode::On)
@@ -216,6 +180,50 @@ Snapshot withDearSeams(const Snapshot &snapshot)
     return loose;
 }
 
+//! Takes a map with symmetric seams in place of a free one, where these hardly cost more.
+void preferSymmetric(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                     const UnwrapOptions &options, Ranking &ranking, const JobContext &job,
+                     const preference::MeshSymmetry &symmetry, FoundMap &found)
+{
+    ranking.offer(found.best, [&] { return found.best.map; });
+    const Snapshot preferred = preference::SeamPreference().applied(snapshot, job.threads());
+    std::optional<Candidate> symmetric =
+        searchSymmetric(soup, preferred, options, ranking, job, symmetry, found.best, found.iterations);
+    if (!symmetric)
+        return;
+    found.best = std::move(*symmetric);
+    found.symmetry = preference::symmetricShare(*snapshot.mesh, symmetry, found.best.map.cut);
+}
+
+//! Searches on the mesh itself. The map is empty when there is none.
+FoundMap findAsItIs(const std::shared_ptr<const Soup> &soup, Snapshot snapshot, const UnwrapOptions &options,
+                    Ranking &ranking, const JobContext &job, const WishedSymmetry &symmetry)
+{
+    FoundMap found;
+    if (options.lambda)
+        snapshot.settings.flat = FlatMode::Free;
+    snapshot = preference::SeamPreference().applied(snapshot, job.threads());
+    const auto search = [&] {
+        return searchMap(soup, snapshot, options, ranking, job, symmetry, found.iterations);
+    };
+    std::optional<Candidate> best = search();
+    if (snapshot.rigid && !job.stopped() && (!best || best->distortion > options.maxDistortion)) {
+        // The curved parts alone cannot take the stretch that is allowed.
+        snapshot.rigid = nullptr;
+        std::optional<Candidate> other = search();
+        if (other && (!best || ranking.better(*other, *best)))
+            best = std::move(other);
+    }
+    if (best)
+        found.best = std::move(*best);
+    if (symmetry.required)
+        found.symmetry = 0;
+    if (best && symmetry.plane && (symmetry.required || found.best.symmetric))
+        found.symmetry = preference::symmetricShare(*snapshot.mesh, *symmetry.plane, found.best.map.cut);
+    found.symmetryMissed = symmetry.required && symmetry.plane && !found.best.symmetric && !job.stopped();
+    return found;
+}
+
 } // namespace
 
 Candidate patchesOf(const Snapshot &given)
@@ -240,59 +248,52 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     }
     const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
     Snapshot snapshot = given;
-    if (suitsCoarseToFine(snapshot, options.quality)) {
-        // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
+    // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
+    if (suitsCoarseToFine(snapshot, options))
         snapshot.settings = preference::decidedForAll(snapshot.settings, snapshot.mesh);
-        if (snapshot.settings.symmetry == SymmetryMode::Auto)
-            snapshot.settings.symmetry = SymmetryMode::Off; // a coarser version is not symmetric
-    }
+    const bool asked = snapshot.settings.symmetry == SymmetryMode::On;
     std::optional<preference::MeshSymmetry> symmetry;
-    if (snapshot.settings.symmetry == SymmetryMode::On)
+    if (asked)
         symmetry = preference::findSymmetry(*snapshot.mesh, preference::Exactness::Loose, job);
+    else if (!isLargeMesh(*snapshot.mesh))
+        symmetry = openSymmetry(snapshot, options, job);
+    const bool mustBe = asked && symmetry;
     // Not for symmetric cuts: the coarse mesh would not be symmetric.
-    if (!symmetry) {
+    if (!mustBe) {
         if (!options.lambda) {
             if (std::optional<FoundMap> alike = findOneOfEachKind(soup, snapshot, options, job, prepare))
                 return std::move(*alike);
         }
-        if (std::optional<FoundMap> large = findLargeMap(soup, snapshot, options, job, prepare))
-            return std::move(*large);
+        Snapshot free = snapshot;
+        free.settings.symmetry = SymmetryMode::Off;
+        std::optional<FoundMap> found =
+            findByCoarse(soup, free, options, symmetry ? job.part(0, freeShare) : job, prepare);
+        if (found) {
+            if (symmetry && !job.stopped())
+                preferSymmetric(soup, snapshot, options, ranking, job, *symmetry, *found);
+            else if (asked)
+                found->symmetry = 0;
+            return std::move(*found);
+        }
     }
-    FoundMap found;
     if (job.stopped()) {
+        FoundMap found;
         if (prepare)
             found.onlyReady = true;
         else
             found.best = patchesOf(given);
         return found;
     }
-    if (options.lambda)
-        snapshot.settings.flat = FlatMode::Free;
-    snapshot = preference::SeamPreference().applied(snapshot, job.threads());
-    const bool asked = snapshot.settings.symmetry == SymmetryMode::On;
-    if (!asked)
-        symmetry = openSymmetry(snapshot, options, job);
-    const auto search = [&] {
-        return searchMap(soup, snapshot, options, ranking, job, {symmetry ? &*symmetry : nullptr, asked},
-                         found.iterations);
-    };
-    std::optional<Candidate> best = search();
-    if (snapshot.rigid && !job.stopped() && (!best || best->distortion > options.maxDistortion)) {
-        // The curved parts alone cannot take the stretch that is allowed.
-        snapshot.rigid = nullptr;
-        std::optional<Candidate> other = search();
-        if (other && (!best || ranking.better(*other, *best)))
-            best = std::move(other);
+    if (prepare)
+        ranking.setWatcher(
+            [prepare](const Candidate &best) { prepare([best](const JobContext &) { return best; }); });
+    FoundMap found =
+        findAsItIs(soup, snapshot, options, ranking, job, {symmetry ? &*symmetry : nullptr, asked});
+    if (found.best.map.x.empty()) {
+        found.onlyReady = prepare && job.stopped();
+        if (!found.onlyReady)
+            found.best = patchesOf(given);
     }
-    found.onlyReady = !best && prepare && job.stopped();
-    if (found.onlyReady)
-        return found;
-    found.best = best ? std::move(*best) : patchesOf(given);
-    if (asked)
-        found.symmetry = 0;
-    if (symmetry && (asked || found.best.symmetric))
-        found.symmetry = preference::symmetricShare(*snapshot.mesh, *symmetry, found.best.map.cut);
-    found.symmetryMissed = asked && symmetry && !found.best.symmetric && !job.stopped();
     return found;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "solver/unwrap/candidates.h"
-#include "solver/unwrap/readyresult.h"
 
 namespace autocuts::unwrap {
 
@@ -17,15 +16,11 @@ struct FoundMap
     bool onlyReady = false;         //!< stopped before there was a map; the result is ready
 };
 
-//! Takes what makes a usable map of those found on the way, see ReadyResult::prepare(). Empty: nobody wants
-//! them.
-using PrepareMap = std::function<void(ReadyResult::MakeMap)>;
-
 //! The map that can be made at once. \param given the problem of a FreePart
 [[nodiscard]] Candidate patchesOf(const Snapshot &given);
 
-//! Finds the best map. \param given the problem of a FreePart \param prepare gets the maps of a large mesh,
-//! or of one with alike parts, that are found on the way
+//! Finds the best map. \param given the problem of a FreePart \param prepare gets the maps that are found on
+//! the way; the map may then be missing after a stop, see FoundMap::onlyReady
 [[nodiscard]] FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking,
                                const JobContext &job, const PrepareMap &prepare = {});
 

@@ -130,9 +130,8 @@ constexpr double symmetricPrice = 1.05;
 const search::OptimizeEffort symmetricTrial{10, {{80, 3}, {200, 1}}, 0};
 const search::OptimizeEffort symmetricEffort{0, {{1300, 1}}, 10};
 constexpr double hopefulTrial = 1.15;
-//! Shares of the progress at which the free map is found then, and the first step done. A guess that only the
-//! progress depends on.
-constexpr double freeShare = 0.7, trialShare = 0.8;
+//! Share of the progress at which the first step is done. A guess that only the progress depends on.
+constexpr double trialShare = 0.8;
 
 bool isPartlyRigid(const Snapshot &snapshot)
 {
@@ -183,7 +182,7 @@ public:
         if (tries)
             mRanking.setPart(0, freeShare);
         std::optional<Candidate> best = search(symmetry.required ? symmetry.plane : nullptr);
-        if (tries && best && isWithinBound(*best) && best->seamCost > 0) {
+        if (tries && best) {
             if (std::optional<Candidate> symmetric = cheapSymmetric(*symmetry.plane, *best))
                 return symmetric;
         }
@@ -196,6 +195,27 @@ public:
             best->map = mBefore->map();
         }
         return best;
+    }
+
+    //! The map with symmetric seams, where these hardly cost more than those of a free map.
+    std::optional<Candidate> cheapSymmetric(const preference::MeshSymmetry &symmetry, const Candidate &free)
+    {
+        if (mJob.stopped() || !isWithinBound(free) || free.seamCost <= 0)
+            return std::nullopt;
+        const auto costsAtMost = [&](const std::optional<Candidate> &found, double share) {
+            return !mJob.stopped() && found && isWithinBound(*found) &&
+                   found->seamCost <= share * free.seamCost;
+        };
+        mRanking.setPart(freeShare, trialShare);
+        std::optional<Candidate> found = bySearch({}, &symmetry, FirstMaps::Usual, symmetricTrial);
+        if (!costsAtMost(found, hopefulTrial))
+            return std::nullopt;
+        mRanking.setPart(trialShare, 1);
+        if (mOptions.quality == UnwrapQuality::Best)
+            found = bySearch(found, &symmetry);
+        else
+            found = bySearch(found, &symmetry, FirstMaps::Usual, symmetricEffort);
+        return costsAtMost(found, symmetricPrice) ? found : std::nullopt;
     }
 
 private:
@@ -235,25 +255,6 @@ private:
         else if (best->anchorFaults > 0 && mBefore)
             keepBetter(best, bySoup(UnwrapQuality::Draft)); // it tears where pins contradict each other
         return best;
-    }
-
-    //! The map with symmetric seams, where these hardly cost more than those of a free map.
-    std::optional<Candidate> cheapSymmetric(const preference::MeshSymmetry &symmetry, const Candidate &free)
-    {
-        const auto costsAtMost = [&](const std::optional<Candidate> &found, double share) {
-            return !mJob.stopped() && found && isWithinBound(*found) &&
-                   found->seamCost <= share * free.seamCost;
-        };
-        mRanking.setPart(freeShare, trialShare);
-        std::optional<Candidate> found = bySearch({}, &symmetry, FirstMaps::Usual, symmetricTrial);
-        if (!costsAtMost(found, hopefulTrial))
-            return std::nullopt;
-        mRanking.setPart(trialShare, 1);
-        if (mOptions.quality == UnwrapQuality::Best)
-            found = bySearch(found, &symmetry);
-        else
-            found = bySearch(found, &symmetry, FirstMaps::Usual, symmetricEffort);
-        return costsAtMost(found, symmetricPrice) ? found : std::nullopt;
     }
 
     //! True when a draft starts from clusters. Drafts of small meshes do not: from the soup they find shorter
@@ -482,6 +483,17 @@ std::optional<Candidate> searchMap(std::shared_ptr<const Soup> soup, const Snaps
     std::optional<Candidate> best = search.find(symmetry);
     iterations += search.iterations();
     return best;
+}
+
+std::optional<Candidate> searchSymmetric(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
+                                         const UnwrapOptions &options, Ranking &ranking,
+                                         const JobContext &job, const preference::MeshSymmetry &symmetry,
+                                         const Candidate &free, int &iterations)
+{
+    MapSearch search(std::move(soup), snapshot, options, ranking, job);
+    std::optional<Candidate> found = search.cheapSymmetric(symmetry, free);
+    iterations += search.iterations();
+    return found;
 }
 
 bool startsFromClusterNets(const Snapshot &snapshot)

@@ -30,6 +30,18 @@ struct WishedSymmetry
                                                  const JobContext &job, const WishedSymmetry &symmetry,
                                                  int &iterations);
 
+//! Shares of the progress at which the free map is found, where a symmetric one is tried then. A guess that
+//! only the progress depends on.
+constexpr double freeShare = 0.7;
+
+//! A map with symmetric seams, where these hardly cost more than those of the free map; otherwise nothing.
+//! The rest as for searchMap().
+[[nodiscard]] std::optional<Candidate> searchSymmetric(std::shared_ptr<const Soup> soup,
+                                                       const Snapshot &snapshot, const UnwrapOptions &options,
+                                                       Ranking &ranking, const JobContext &job,
+                                                       const preference::MeshSymmetry &symmetry,
+                                                       const Candidate &free, int &iterations);
+
 //! True when a draft starts from clusters and rigid regions joined to nets, and the other qualities also from
 //! the map of that draft. \param snapshot with the preferences in its weights
 [[nodiscard]] bool startsFromClusterNets(const Snapshot &snapshot);

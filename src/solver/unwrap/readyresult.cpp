@@ -10,6 +10,9 @@ namespace {
 //! The thread rests for this many times as long as it has worked: where somebody watches, and where results
 //! are only for a stop. Chosen by hand.
 constexpr int restWatched = 10, restForStop = 30;
+//! Where the last map was made in less time than this, the newest is made after a stop; and how long that may
+//! take. By hand.
+constexpr auto moment = std::chrono::milliseconds(80), longestWait = std::chrono::milliseconds(150);
 constexpr double rounding = 1e-9;
 
 } // namespace
@@ -50,6 +53,11 @@ UnwrapResult ReadyResult::take()
     mChanged.wait(lock, [this] { return mResult || mFailure; });
     if (!mResult)
         std::rethrow_exception(mFailure);
+    if (mNext && mLastWork <= moment) {
+        mHurries = true;
+        mChanged.notify_all();
+        mChanged.wait_for(lock, longestWait, [this] { return !mHurries; });
+    }
     return *mResult;
 }
 
@@ -68,13 +76,15 @@ void ReadyResult::run(const MakeMap &first)
             mFailure = std::current_exception();
         }
         std::unique_lock lock(mMutex);
-        mChanged.notify_all();
         const auto now = Clock::now();
+        mLastWork = now - begin;
+        mHurries = mHurries && mNext;
+        mChanged.notify_all();
         auto next = start + mFirstRest;
         // Patches are for want of anything else.
         if (!mMeasures || !mMeasures->onlyPatches)
             next = std::max(next, now + restShare * (now - begin));
-        mChanged.wait_until(lock, next, [this] { return mEnds.load(); });
+        mChanged.wait_until(lock, next, [this] { return mEnds || mHurries; });
         mChanged.wait(lock, [this] { return mEnds || mNext; });
         if (mEnds)
             return;

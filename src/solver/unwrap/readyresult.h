@@ -16,12 +16,10 @@ namespace autocuts::unwrap {
 
 //! Makes results from the maps that a search finds on its way, in a thread of its own, and keeps the best
 //! one. Making one takes long on a large mesh: after a stop there would be no time for it. The thread rests
-//! for most of the time, so that the search goes on.
+//! for most of the time, so that the search goes on. On a small mesh, the newest map is made after the stop.
 class ReadyResult
 {
 public:
-    //! Makes a usable map; nothing when that fails or the job is stopped.
-    using MakeMap = std::function<std::optional<Candidate>(const JobContext &)>;
     //! Places the islands of a map.
     using Place = std::function<UnwrapResult(Candidate, const JobContext &)>;
     //! Sees every better result that is more than patches.
@@ -38,7 +36,8 @@ public:
     void prepare(MakeMap make);
     //! True when there is a result, and its map is no worse than this one.
     bool isAsGoodAs(const Candidate &other);
-    //! The best result so far. Waits for the first one; throws what prevented that.
+    //! The best result so far, or of the newest map where that is made in a moment. Waits for the first one;
+    //! throws what prevented that.
     UnwrapResult take();
 
 private:
@@ -56,8 +55,10 @@ private:
     MakeMap mNext;                      //!< empty: none
     std::optional<Candidate> mMeasures; //!< of the result; without the map
     std::optional<UnwrapResult> mResult;
-    std::exception_ptr mFailure; //!< there is no result because of this
-    BackgroundThread mThread;    //!< the last member: it uses the others
+    std::exception_ptr mFailure;                     //!< there is no result because of this
+    std::chrono::steady_clock::duration mLastWork{}; //!< how long the last map took to make
+    bool mHurries = false;                           //!< somebody waits until mNext is made
+    BackgroundThread mThread;                        //!< the last member: it uses the others
 };
 
 } // namespace autocuts::unwrap

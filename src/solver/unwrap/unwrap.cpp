@@ -11,6 +11,7 @@
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/packjob.h"
+#include "solver/unwrap/readyresult.h"
 #include "solver/unwrap/rectanglefit.h"
 #include "solver/unwrap/standingmap.h"
 #include "solver/unwrap/unwrapplacing.h"
@@ -221,8 +222,7 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &asked, const
     Ranking ranking(searched, job);
     const ResultMaker maker(snapshot, *part, plan, options);
     std::optional<ReadyResult> ready;
-    const bool isLarge = suitsCoarseToFine(problem, options.quality);
-    if (isLarge || options.better) {
+    if (options.better || suitsCoarseToFine(problem, options)) {
         ready.emplace(
             ranking,
             [&maker](Candidate map, const JobContext &own) {
@@ -231,14 +231,9 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &asked, const
             [&problem](const JobContext &) { return patchesOf(problem); }, options.better,
             options.better ? std::chrono::milliseconds(0) : restBeforeFirstMap);
     }
-    // The maps of a large mesh come by way of the coarse one.
-    if (ready && !isLarge) {
-        ranking.setWatcher(
-            [&ready](const Candidate &best) { ready->prepare([best](const JobContext &) { return best; }); });
-    }
     PrepareMap prepare;
     if (ready)
-        prepare = [&ready](ReadyResult::MakeMap make) { ready->prepare(std::move(make)); };
+        prepare = [&ready](MakeMap make) { ready->prepare(std::move(make)); };
     FoundMap found = findMap(problem, searched, ranking, job, prepare);
     const bool stays = !found.onlyReady && before.stays(found.best, options.maxDistortion);
     // To place the islands takes long, too.

@@ -1,32 +1,30 @@
-#include "solver/unwrap/coarsemaps.h"
+#include "solver/unwrap/mapsontheway.h"
 
 #include <utility>
 
 namespace autocuts::unwrap {
 
-void CoarseMaps::put(MakeCarriedMap make, bool atOnce)
+void MapsOnTheWay::put(MakeMap make)
 {
     const std::lock_guard lock(mMutex);
     mNext = std::move(make);
-    if (atOnce)
-        mRest = {};
     mChanged.notify_all();
 }
 
-void CoarseMaps::end()
+void MapsOnTheWay::end()
 {
     const std::lock_guard lock(mMutex);
     mEnded = true;
     mChanged.notify_all();
 }
 
-bool CoarseMaps::waitsOrEnds()
+bool MapsOnTheWay::waitsOrEnds()
 {
     const std::lock_guard lock(mMutex);
     return mNext || mEnded;
 }
 
-MakeCarriedMap CoarseMaps::next()
+MakeMap MapsOnTheWay::next()
 {
     std::unique_lock lock(mMutex);
     while (!mEnded) {
@@ -40,7 +38,7 @@ MakeCarriedMap CoarseMaps::next()
     return nullptr;
 }
 
-void CoarseMaps::restUntil(Clock::time_point time)
+void MapsOnTheWay::restUntil(Clock::time_point time)
 {
     const std::lock_guard lock(mMutex);
     mRest = time;

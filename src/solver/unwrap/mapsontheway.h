@@ -1,7 +1,7 @@
-// Hands maps of a coarse mesh from the thread that finds them to the one that carries them over.
+// Hands maps that are found on the way from the thread that searches to the one that makes them usable.
 #pragma once
 
-#include "solver/unwrap/coarsetofine.h"
+#include "solver/unwrap/candidates.h"
 
 #include <atomic>
 #include <chrono>
@@ -11,7 +11,7 @@
 namespace autocuts::unwrap {
 
 //! Holds the newest map only. For two threads.
-class CoarseMaps
+class MapsOnTheWay
 {
 public:
     using Clock = std::chrono::steady_clock;
@@ -20,32 +20,31 @@ public:
     class Finder
     {
     public:
-        explicit Finder(CoarseMaps &maps) : mMaps(maps) {}
+        explicit Finder(MapsOnTheWay &maps) : mMaps(maps) {}
         ~Finder() { mMaps.end(); }
         Finder(const Finder &) = delete;
         Finder &operator=(const Finder &) = delete;
 
     private:
-        CoarseMaps &mMaps;
+        MapsOnTheWay &mMaps;
     };
 
-    //! \param atOnce the carrier's rest is over
-    void put(MakeCarriedMap make, bool atOnce);
+    void put(MakeMap make);
     void end();
 
     //! True when there is a map, or will be none.
     bool waitsOrEnds();
     //! Waits for a map. \returns nothing at the end
-    MakeCarriedMap next();
-    //! The carrier rests: next() hands nothing out until then.
+    MakeMap next();
+    //! next() hands nothing out until then.
     void restUntil(Clock::time_point time);
-    //! Stops carrying at the end.
-    JobContext carrying() const { return &mEnded; }
+    //! Stops what is being made at the end.
+    JobContext making() const { return &mEnded; }
 
 private:
     std::mutex mMutex; //!< for what follows
     std::condition_variable mChanged;
-    MakeCarriedMap mNext; //!< empty: none
+    MakeMap mNext; //!< empty: none
     Clock::time_point mRest;
     std::atomic<bool> mEnded = false;
 };
