@@ -18,6 +18,10 @@ namespace {
 
 //! The coarse mesh has at most this share of the triangles, else coarsening is not worth the effort.
 constexpr double leastReduction = 0.6;
+//! Nor may it have more than this multiple of the area: coarsening takes area away, unless it crumples parts
+//! that are thinner than its triangles. Measured: .92 to 1.0006 on 16 models and on noisy shapes, 1.13 on a
+//! generated one of tubes and sheets.
+constexpr double mostArea = 1.05;
 //! Energy of a triangle from which refining has found no place for it. It becomes a chart of its own: it
 //! would stop the steps of all others.
 constexpr double lostEnergy = 1e6;
@@ -276,7 +280,8 @@ CoarseMesh::CoarseMesh(std::shared_ptr<const Soup> soup, const Snapshot &snapsho
 
 bool CoarseMesh::isWorthIt() const
 {
-    return mMesh.triangleCount() <= leastReduction * mSoup->triangleCount();
+    return mMesh.triangleCount() <= leastReduction * mSoup->triangleCount() &&
+           mCoarse->area <= mostArea * mSoup->mesh->area;
 }
 
 Snapshot CoarseMesh::snapshot() const

@@ -25,7 +25,7 @@ public:
     CoarseMesh(std::shared_ptr<const Soup> soup, const Snapshot &snapshot, int triangles,
                const JobContext &job);
 
-    //! False when the mesh could hardly be coarsened.
+    //! False when the mesh could hardly be coarsened, or lost its shape.
     bool isWorthIt() const;
     //! The problem on the coarse mesh: the settings, cuts, joins, weights and pins of the fine one.
     Snapshot snapshot() const;

@@ -35,14 +35,16 @@ AUTOCUTS_CONSTANT(int, largeForDrafts, 9'990);
 //! kept its shape, in place of all.
 constexpr double hardlyHard = 0.1;
 //! Share of the triangles that the coarse version has, and the fewest. TODO
-AUTOCUTS_CONSTANT(double, coarseShare, 1.0 / 5);
+AUTOCUTS_CONSTANT(double, coarseReduction, 1.0 / 5);
 constexpr double fewestCoarse = 1'500;
 //! The most that it has of a hard surface, where it is searched as it is.
 constexpr double mostOfHard = 6'000;
 //! Bounds for the coarse map, as shares of (bound - 4). The distortion of the fine map usually gets lower,
-//! because a finer mesh can bend more freely. The second share is tried when the fine map misses the bound.
-AUTOCUTS_CONSTANT(double, firstBoundShare, 1.2);
-const double boundShares[] = {firstBoundShare, 0.9};
+//! because a finer mesh can bend more freely. The last share is tried when the fine map misses the bound.
+//! TODO
+AUTOCUTS_CONSTANT(double, boundShare, 1.2);
+AUTOCUTS_CONSTANT(double, draftBoundShare, 1.4);
+constexpr double lastBoundShare = 0.9;
 AUTOCUTS_CONSTANT(int, fineSteps, 30); // relaxation steps on the fine mesh, at most
 //! The same for charts that would overlap themselves. Measured: with 30 steps, D of lucy_o_f48275 is 4.0870
 //! in place of 4.0890, that of three others is the same.
@@ -262,7 +264,7 @@ bool suitsCoarseToFine(const Snapshot &snapshot, const UnwrapOptions &options)
 
 int coarseTriangles(const Snapshot &snapshot)
 {
-    const double triangles = std::max(coarseShare * snapshot.mesh->triangleCount(), fewestCoarse);
+    const double triangles = std::max(coarseReduction * snapshot.mesh->triangleCount(), fewestCoarse);
     return static_cast<int>(isHardlyHard(snapshot) ? triangles : std::min(triangles, mostOfHard));
 }
 
@@ -274,7 +276,8 @@ std::optional<Candidate> mapByCoarse(const std::shared_ptr<const Soup> &soup, co
     if (job.stopped() || !coarse->isWorthIt())
         return std::nullopt;
     std::optional<Candidate> best;
-    for (const double share : boundShares) {
+    const double firstShare = options.quality == UnwrapQuality::Draft ? draftBoundShare : boundShare;
+    for (const double share : {firstShare, lastBoundShare}) {
         UnwrapOptions coarseOptions = options;
         coarseOptions.pack = false;
         coarseOptions.coarse = true;

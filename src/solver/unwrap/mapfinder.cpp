@@ -32,6 +32,8 @@ constexpr double leastGain = 1e-9; // energy gained in ten steps below which rel
 //! Share of the progress that is for the search on the coarse mesh. A guess that only the progress depends
 //! on.
 constexpr double coarseShare = 0.55;
+//! The same for the search in standard quality that one in best quality begins with.
+constexpr double standardShare = 0.25;
 
 //! Share of the stretch allowed that is left for what copies differ by.
 constexpr double copyTolerance = 1e-4;
@@ -54,13 +56,11 @@ void settleCarried(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
     definite::equalizeDensity(*soup, snapshot, carried.map);
 }
 
-//! Finds the map by way of a coarser mesh; nothing when the mesh is not suited or that fails.
-std::optional<FoundMap> findByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+//! Finds the map by way of a coarser mesh; nothing when that fails.
+std::optional<FoundMap> carriedFromCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                                      const UnwrapOptions &options, const JobContext &job,
                                      const PrepareMap &prepare)
 {
-    if (!suitsCoarseToFine(snapshot, options))
-        return std::nullopt;
     FoundMap result;
     const JobContext searching = job.part(0, coarseShare);
     CoarseSearch search;
@@ -83,6 +83,29 @@ std::optional<FoundMap> findByCoarse(const std::shared_ptr<const Soup> &soup, co
     carried->measure(*soup, snapshot);
     result.best = std::move(*carried);
     return result;
+}
+
+//! Finds the map by way of a coarser mesh; nothing when the mesh is not suited or that fails.
+std::optional<FoundMap> findByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                     const UnwrapOptions &options, const JobContext &job,
+                                     const PrepareMap &prepare)
+{
+    if (!suitsCoarseToFine(snapshot, options))
+        return std::nullopt;
+    if (options.quality != UnwrapQuality::Best || options.coarse)
+        return carriedFromCoarse(soup, snapshot, options, job, prepare);
+    // Begins with the standard quality, so that the result is never worse.
+    UnwrapOptions standard = options;
+    standard.quality = UnwrapQuality::Standard;
+    std::optional<FoundMap> first =
+        carriedFromCoarse(soup, snapshot, standard, job.part(0, standardShare), prepare);
+    if (job.stopped())
+        return first;
+    std::optional<FoundMap> best =
+        carriedFromCoarse(soup, snapshot, options, job.part(standardShare, 1), prepare);
+    if (first && (!best || Ranking(options, job).better(first->best, best->best)))
+        return first;
+    return best;
 }
 
 //! Finds the map of a mesh with alike parts from that of one part of each kind; nothing when there are none,
@@ -258,6 +281,7 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     else if (!isLargeMesh(*snapshot.mesh))
         symmetry = openSymmetry(snapshot, options, job);
     const bool mustBe = asked && symmetry;
+    std::optional<FoundMap> coarsely;
     // Not for symmetric cuts: the coarse mesh would not be symmetric.
     if (!mustBe) {
         if (!options.lambda) {
@@ -266,15 +290,15 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
         }
         Snapshot free = snapshot;
         free.settings.symmetry = SymmetryMode::Off;
-        std::optional<FoundMap> found =
-            findByCoarse(soup, free, options, symmetry ? job.part(0, freeShare) : job, prepare);
-        if (found) {
-            if (symmetry && !job.stopped())
-                preferSymmetric(soup, snapshot, options, ranking, job, *symmetry, *found);
-            else if (asked)
-                found->symmetry = 0;
-            return std::move(*found);
-        }
+        coarsely = findByCoarse(soup, free, options, symmetry ? job.part(0, freeShare) : job, prepare);
+        if (coarsely && symmetry && !job.stopped())
+            preferSymmetric(soup, snapshot, options, ranking, job, *symmetry, *coarsely);
+        else if (coarsely && asked)
+            coarsely->symmetry = 0;
+        // What is thin may be lost on a coarser mesh: then a map of that does not meet the bound.
+        if (coarsely && (isLargeMesh(*snapshot.mesh) || options.lambda || job.stopped() ||
+                         coarsely->best.distortion <= options.maxDistortion))
+            return std::move(*coarsely);
     }
     if (job.stopped()) {
         FoundMap found;
@@ -289,6 +313,8 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
             [prepare](const Candidate &best) { prepare([best](const JobContext &) { return best; }); });
     FoundMap found =
         findAsItIs(soup, snapshot, options, ranking, job, {symmetry ? &*symmetry : nullptr, asked});
+    if (coarsely && (found.best.map.x.empty() || ranking.better(coarsely->best, found.best)))
+        return std::move(*coarsely);
     if (found.best.map.x.empty()) {
         found.onlyReady = prepare && job.stopped();
         if (!found.onlyReady)
