@@ -297,6 +297,51 @@ private Q_SLOTS:
         QVERIFY2(distortion <= 4.1, qPrintable(QString::number(distortion)));
     }
 
+    //! Seams in standard, and what is prepared on the way.
+    void seamsAreSearchedOnTheFineMesh()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = meshCalled(QStringLiteral("torus"));
+        const auto soup = Soup::build(snapshot.mesh);
+        UnwrapOptions options;
+        CoarseSearch search = draft(400);
+        const auto find = search.find;
+        search.find = [&](const Snapshot &coarse, UnwrapOptions how, const PrepareMap &prepare) {
+            how.quality = UnwrapQuality::Draft;
+            std::optional<Candidate> found = find(coarse, how, prepare);
+            found->measure(*Soup::build(coarse.mesh), coarse);
+            prepare([found](const JobContext &) { return found; });
+            return found;
+        };
+        std::vector<MakeMap> prepared;
+        const auto standard = mapByCoarse(soup, snapshot, options, search,
+                                          [&](MakeMap make) { prepared.push_back(std::move(make)); });
+        QVERIFY(standard);
+        options.quality = UnwrapQuality::Draft;
+        const auto carried = mapByCoarse(soup, snapshot, options, search, [](const MakeMap &) {});
+        QVERIFY(carried);
+        const auto measured = [&](Candidate found) {
+            found.measure(*soup, snapshot);
+            return found;
+        };
+        const Candidate best = measured(*standard), hurried = measured(*carried);
+        QVERIFY2(best.seamLength < 0.95 * hurried.seamLength,
+                 qPrintable(QString::number(best.seamLength / hurried.seamLength)));
+        QVERIFY2(best.distortion > 4.098 && best.distortion <= 4.1,
+                 qPrintable(QString::number(best.distortion)));
+        // Of the coarse mesh, while its map is relaxed, and of the search on the fine mesh.
+        QVERIFY2(prepared.size() > 5, qPrintable(QString::number(prepared.size())));
+        double last = 0;
+        for (const MakeMap &make : prepared) {
+            const std::optional<Candidate> made = make({});
+            QVERIFY(made);
+            QCOMPARE(made->map.validate(*soup), std::string());
+            QVERIFY(!coversItself(*soup, made->map));
+            last = made->seamLength;
+        }
+        QVERIFY(last < hurried.seamLength);
+    }
+
     void stretchThatIsLeftOverIsSpent()
     {
         Snapshot snapshot;

@@ -275,12 +275,15 @@ void LiveMap::findByUnwrap(UnwrapQuality quality, std::optional<search::CutState
     UnwrapOptions options;
     options.maxDistortion = mProblem.plan().searchBound(mOptions.maxDistortion);
     options.quality = quality;
+    Snapshot problem = mProblem.part().withoutRectangles();
+    if (mProblem.isForCoarse())
+        problem.settings.start = StartMode::Rigid; // a given map was of no use
     MapsOnTheWay onTheWay;
     parallelFor(2, job.threads(), [&](int i) {
         if (i == 0) {
             const MapsOnTheWay::Finder finder(onTheWay);
             Ranking ranking(options, job);
-            const FoundMap found = findMap(mProblem.part().withoutRectangles(), options, ranking, job.quiet(),
+            const FoundMap found = findMap(problem, options, ranking, job.quiet(),
                                            [&](MakeMap make) { onTheWay.put(std::move(make)); });
             onTheWay.end(); // the other thread has nothing to do any more, while the map is taken
             if (!job.stopped() && !found.onlyReady)

@@ -65,7 +65,9 @@ std::optional<double> LiveProblem::mirroredArea() const
 
 bool LiveProblem::isForCoarse() const
 {
-    return !isSymmetric() && suitsCoarseToFine(mProblem, {});
+    Snapshot anew = mProblem;
+    anew.settings.start = StartMode::Rigid;
+    return !isSymmetric() && suitsCoarseToFine(anew, {});
 }
 
 } // namespace autocuts::unwrap

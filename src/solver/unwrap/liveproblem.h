@@ -40,7 +40,7 @@ public:
     //! Share of the part's area that has a mirror image, 0 where it is not symmetric; nothing when symmetric
     //! seams are not asked for.
     std::optional<double> mirroredArea() const;
-    //! An unwrap in standard quality finds the map of the part on a coarser mesh first.
+    //! An unwrap in standard quality that begins anew finds the map of the part on a coarser mesh first.
     bool isForCoarse() const;
 
 private:

@@ -58,8 +58,8 @@ void settleCarried(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
 
 //! Finds the map by way of a coarser mesh; nothing when that fails.
 std::optional<FoundMap> carriedFromCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                     const UnwrapOptions &options, const JobContext &job,
-                                     const PrepareMap &prepare)
+                                          const UnwrapOptions &options, const JobContext &job,
+                                          const PrepareMap &prepare)
 {
     FoundMap result;
     const JobContext searching = job.part(0, coarseShare);
