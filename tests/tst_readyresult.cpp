@@ -144,6 +144,20 @@ private Q_SLOTS:
         ends = true;
     }
 
+    void whatIsBeingMadeIsBetterThanPatches()
+    {
+        ReadyResult ready(mRanking, placed, makes(candidate(90, 4.01, true)));
+        QCOMPARE(ready.take().seamLength, 90.0);
+        std::atomic<bool> begun = false;
+        ready.prepare([&](const JobContext &) {
+            begun = true;
+            QTest::qSleep(20);
+            return std::optional(candidate(30, 4.3));
+        });
+        QVERIFY(QTest::qWaitFor([&] { return begun.load(); }));
+        QCOMPARE(ready.take().seamLength, 30.0);
+    }
+
     void whatIsBeingMadeIsGivenUp()
     {
         std::atomic<bool> begun = false, told = false;

@@ -13,6 +13,7 @@
 #include "solver/unwrap/coarsemesh.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace autocuts::unwrap {
@@ -64,9 +65,9 @@ AUTOCUTS_CONSTANT(int, hurriedGuardedSteps, 5);
 //! Steps in a hurry. Measured: 4 steps took a mesh of 124,000 triangles from 4.217 to below 4.1.
 constexpr int hurriedSteps = 5;
 constexpr int stepsBetween = 5; // steps of relaxing after which the map is prepared for a stop
-//! A coarse map whose distortion is further above the bound takes long to carry over; none of those is made
-//! usable on the way.
-constexpr double worthCarrying = 0.5;
+//! A coarse map whose distortion is further above the bound takes long to carry over to a large mesh; none of
+//! those is made usable on the way.
+constexpr double worthCarrying = 0.5, anyDistortion = std::numeric_limits<double>::infinity();
 //! Multiple of the stretch allowed up to which a map of the fine mesh is taken to the bound, by more seams or
 //! by shorter ones. Measured: from three times as much, that takes as long as the map itself; from 300 times
 //! it took three times as long, in vain.
@@ -294,27 +295,33 @@ std::optional<Candidate> mapByCoarse(const std::shared_ptr<const Soup> &soup, co
         coarseOptions.maxDistortion = 4 + share * (options.maxDistortion - 4);
         PrepareMap prepareCoarse;
         if (prepare)
-            prepareCoarse = [=, worst = coarseOptions.maxDistortion + worthCarrying](MakeMap make) {
-                prepare([=, make = std::move(make)](const JobContext &own) -> std::optional<Candidate> {
-                    std::optional<Candidate> found = make(own);
-                    if (!found || found->onlyPatches || found->distortion > worst)
-                        return std::nullopt;
-                    std::optional<SeamedMap> map = coarse->carried(found->map, own);
-                    if (!map)
-                        return std::nullopt;
-                    if (map->distortion(*soup) > options.maxDistortion)
-                        definite::relaxMap(soup, snapshot, *map, hurriedSteps, own);
-                    found->map = std::move(*map);
-                    return usable(soup, snapshot, options, std::move(*found), own);
-                });
-            };
+            prepareCoarse =
+                [=, worst = coarseOptions.maxDistortion +
+                            (isLargeMesh(*soup->mesh) ? worthCarrying : anyDistortion)](MakeMap make) {
+                    prepare([=, make = std::move(make)](const JobContext &own) -> std::optional<Candidate> {
+                        std::optional<Candidate> found = make(own);
+                        if (!found || found->onlyPatches || found->distortion > worst)
+                            return std::nullopt;
+                        std::optional<SeamedMap> map = coarse->carried(found->map, own);
+                        if (!map)
+                            return std::nullopt;
+                        if (map->distortion(*soup) > options.maxDistortion)
+                            definite::relaxMap(soup, snapshot, *map, hurriedSteps, own);
+                        found->map = std::move(*map);
+                        return usable(soup, snapshot, options, std::move(*found), own);
+                    });
+                };
         std::optional<Candidate> carried = search.find(coarse->snapshot(), coarseOptions, prepareCoarse);
         std::optional<SeamedMap> map;
-        if (carried && !job.stopped())
-            map = coarse->carried(carried->map, job);
+        // After a stop there is time for that on small meshes only.
+        const bool isHurried = job.stopped();
+        if (carried && !(isHurried && isLargeMesh(*soup->mesh)))
+            map = coarse->carried(carried->map, isHurried ? job.unstoppable() : job);
         if (!map)
             break;
         carried->map = std::move(*map);
+        if (isHurried)
+            return usable(soup, snapshot, options, std::move(*carried), job.unstoppable().quiet());
         if (!relax(soup, snapshot, options, *carried, prepare, job))
             break;
         settle(soup, snapshot, options, fineSteps, *carried, job);

@@ -70,7 +70,7 @@ std::optional<FoundMap> carriedFromCoarse(const std::shared_ptr<const Soup> &sou
         Ranking ranking(coarseOptions, searching);
         FoundMap found = findMap(coarse, coarseOptions, ranking, searching, prepareCoarse);
         result.iterations += found.iterations;
-        if (found.best.onlyPatches || job.stopped())
+        if (found.best.onlyPatches || found.onlyReady)
             return std::nullopt;
         return std::move(found.best);
     };

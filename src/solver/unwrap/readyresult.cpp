@@ -10,9 +10,12 @@ namespace {
 //! The thread rests for this many times as long as it has worked: where somebody watches, and where results
 //! are only for a stop. Chosen by hand.
 constexpr int restWatched = 10, restForStop = 30;
-//! Where the last map was made in less time than this, the newest is made after a stop; and how long that may
-//! take. By hand.
+//! Where the last map was made in less time than the first, the newest is made after a stop, in the second at
+//! most. By hand.
 constexpr auto moment = std::chrono::milliseconds(80), longestWait = std::chrono::milliseconds(150);
+//! The same where nothing but patches is ready; a map that is being made is waited for then, too. The longest
+//! wait is for machines under load.
+constexpr auto momentForAny = std::chrono::milliseconds(200), longestForAny = std::chrono::milliseconds(500);
 constexpr double rounding = 1e-9;
 
 } // namespace
@@ -53,10 +56,11 @@ UnwrapResult ReadyResult::take()
     mChanged.wait(lock, [this] { return mResult || mFailure; });
     if (!mResult)
         std::rethrow_exception(mFailure);
-    if (mNext && mLastWork <= moment) {
+    const bool isAny = mMeasures->onlyPatches;
+    if ((mNext || (isAny && mMakes)) && mLastWork <= (isAny ? momentForAny : moment)) {
         mHurries = true;
         mChanged.notify_all();
-        mChanged.wait_for(lock, longestWait, [this] { return !mHurries; });
+        mChanged.wait_for(lock, isAny ? longestForAny : longestWait, [this] { return !mHurries; });
     }
     return *mResult;
 }
@@ -78,6 +82,7 @@ void ReadyResult::run(const MakeMap &first)
         std::unique_lock lock(mMutex);
         const auto now = Clock::now();
         mLastWork = now - begin;
+        mMakes = false;
         mHurries = mHurries && mNext;
         mChanged.notify_all();
         auto next = start + mFirstRest;
@@ -89,6 +94,7 @@ void ReadyResult::run(const MakeMap &first)
         if (mEnds)
             return;
         make = std::exchange(mNext, {});
+        mMakes = true;
     }
 }
 

@@ -58,6 +58,7 @@ private:
     std::exception_ptr mFailure;                     //!< there is no result because of this
     std::chrono::steady_clock::duration mLastWork{}; //!< how long the last map took to make
     bool mHurries = false;                           //!< somebody waits until mNext is made
+    bool mMakes = true;                              //!< a map is being made
     BackgroundThread mThread;                        //!< the last member: it uses the others
 };
 
