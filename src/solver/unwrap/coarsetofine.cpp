@@ -315,7 +315,7 @@ std::optional<Candidate> mapByCoarse(const std::shared_ptr<const Soup> &soup, co
         std::optional<SeamedMap> map;
         // After a stop there is time for that on small meshes only.
         const bool isHurried = job.stopped();
-        if (carried && !(isHurried && isLargeMesh(*soup->mesh)))
+        if (carried && !(isHurried && (best || isLargeMesh(*soup->mesh))))
             map = coarse->carried(carried->map, isHurried ? job.unstoppable() : job);
         if (!map)
             break;
