@@ -19,6 +19,12 @@ AUTOCUTS_CONSTANT(int, disturbedTriangles, 60); // nearest to a change, whose ve
 //! gain after the polish.
 AUTOCUTS_CONSTANT(double, promising, 0.6);
 AUTOCUTS_CONSTANT(int, trianglesPerMovedEdge, 12); // in the patch of a large move
+//! Score below which an edge is not opened, see splitCandidates(). Counted in standard on four meshes of 150
+//! to 12,000 triangles: of the tries, .07 % are kept where the score is below .125, .3 % from there to .25,
+//! and 12 % above. All the same they are worth their time: with .15 after large moves, and no stitching where
+//! a like model promises less than a tenth of its price, the seams of 14 maps are 1.023 times as long in .97
+//! of the CPU time.
+AUTOCUTS_CONSTANT(double, leastCutScore, 0.05);
 //! Tasks that are tried ahead at a time, per thread: a tenth of them is kept, and what comes after is
 //! forgotten.
 constexpr int tasksPerThread = 8;
@@ -405,9 +411,8 @@ bool SeamSearch::isWorthSplitting(const Cut &cut) const
 //! Cuts edges that lead inwards from the boundary where that pays. \param most number of tries
 int SeamSearch::splitBoundary(int most)
 {
-    constexpr double leastScore = 0.05;
     std::vector<Cut> cuts = splitCandidates();
-    const auto hopeless = [](const Cut &cut) { return cut.score < leastScore; };
+    const auto hopeless = [](const Cut &cut) { return cut.score < leastCutScore; };
     cuts.erase(std::find_if(cuts.begin(), cuts.end(), hopeless), cuts.end());
     int kept = 0, tries = 0;
     for (auto cut = cuts.begin(); cut != cuts.end() && tries < most && !stopped(); ++cut) {

@@ -221,7 +221,6 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
         isDraft ? hurriedGain : leastGain);
     if (job.stopped())
         return false;
-    const double tooFar = 4 + worthTaking * (options.maxDistortion - 4);
     if (!options.allowOverlaps && definite::coversItself(*soup, relaxed.map)) {
         std::optional<SeamedMap> guarded = withoutOverlaps(soup, snapshot, carried.map, relaxed.map,
                                                            isDraft ? hurriedGuardedSteps : guardedSteps, job);
@@ -229,14 +228,14 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
             return false;
         // When that is no good map, the freely relaxed one with its overlaps cut off may be better.
         const double distortion = guarded->distortion(*soup);
-        const bool isBetter = (options.lambda || distortion > tooFar) && !job.stopped() &&
+        const bool isBetter = (options.lambda || isFarAboveBound(distortion, options)) && !job.stopped() &&
                               definite::removeOverlaps(*soup, snapshot, relaxed.map, job) &&
                               relaxed.map.distortion(*soup) < distortion;
         if (!isBetter)
             relaxed.map = std::move(*guarded);
     }
     const double distortion = relaxed.map.distortion(*soup);
-    if (!options.lambda && !job.stopped() && distortion <= tooFar) {
+    if (!options.lambda && !job.stopped() && !isFarAboveBound(distortion, options)) {
         show();
         std::function<void(SeamedMap)> improved;
         if (prepare)
@@ -257,6 +256,11 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
 bool isLargeMesh(const MeshData &mesh)
 {
     return mesh.triangleCount() > largeMesh;
+}
+
+bool isFarAboveBound(double distortion, const UnwrapOptions &options)
+{
+    return distortion > 4 + worthTaking * (options.maxDistortion - 4);
 }
 
 bool suitsCoarseToFine(const Snapshot &snapshot, const UnwrapOptions &options)
@@ -330,7 +334,8 @@ std::optional<Candidate> mapByCoarse(const std::shared_ptr<const Soup> &soup, co
         const double distortion = carried->map.distortion(*soup);
         if (!best || distortion < best->map.distortion(*soup))
             best = std::move(carried);
-        if (options.lambda || distortion <= options.maxDistortion || job.stopped())
+        if (options.lambda || distortion <= options.maxDistortion || isFarAboveBound(distortion, options) ||
+            job.stopped())
             break;
     }
     return best;

@@ -29,6 +29,9 @@ bool suitsCoarseToFine(const Snapshot &snapshot, const UnwrapOptions &options);
 
 //! True when the mesh has more than 25,000 triangles.
 bool isLargeMesh(const MeshData &mesh);
+//! True when a map of the fine mesh is so far above the bound that it is not taken to it, nor would a tighter
+//! bound for the coarse map help: the coarse version has lost too much of the shape.
+[[nodiscard]] bool isFarAboveBound(double distortion, const UnwrapOptions &options);
 
 //! How many triangles the coarse version has: a fifth, but 1,500 at least; for hard surface 6,000 at most.
 int coarseTriangles(const Snapshot &snapshot);
