@@ -38,7 +38,7 @@ constexpr double standardShare = 0.25;
 
 //! Meshes of more triangles are not searched as they are. Measured on a pram of thin tubes of 189,000
 //! triangles, made as generators of models do: its version of 38,000 misses the bound by far by way of a
-//! coarser one; searched as it is, a draft of the pram has D 4.099 in place of 7.06, in .75 of the CPU time.
+//! coarser one; searched as it is, a draft of the pram has D 4.099 in place of 7.06, in .7 of the CPU time.
 AUTOCUTS_CONSTANT(int, mostAsItIs, 50'000);
 
 //! Share of the stretch allowed that is left for what copies differ by.
