@@ -1,4 +1,5 @@
-// The steps of the packer, one by one on islands laid out by hand: bottom-left and compaction.
+// The steps of the packer, one by one on islands laid out by hand: what is in the way, bottom-left and
+// compaction.
 #include "solver/packing/bottomleft.h"
 #include "solver/packing/compaction.h"
 #include "support/packchecks.h"
@@ -92,6 +93,45 @@ class TestPackingSteps : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    //! Such as the islands of other tiles. A single island among them is fitted as if it were alone.
+    void lockedIslandsOutOfReachDoNotCount_data()
+    {
+        QTest::addColumn<int>("count");
+        QTest::newRow("one") << 1;
+        QTest::newRow("several") << 9;
+    }
+    void lockedIslandsOutOfReachDoNotCount()
+    {
+        QFETCH(int, count);
+        std::vector<PackIsland> islands = randomStars(count, 7);
+        PackOptions settings;
+        settings.effort = 0.05;
+        settings.margin = 4;
+        settings.lower = Vec2(1, 0);
+        settings.upper = Vec2(2, 1);
+        const PackResult alone = packIslands(islands, settings);
+        // They touch the borders of the tiles beside and above.
+        const double border = 0.5 * settings.margin / settings.textureSize + 1e-7;
+        islands.push_back(box(border, border, 1 - 2 * border, 1 - 2 * border));
+        islands.push_back(box(1 + border, 1 + border, 1 - 2 * border, 1 - 2 * border));
+        islands[count].locked = islands[count + 1].locked = true;
+        const PackResult among = packIslands(islands, settings);
+        QVERIFY(alone.complete && among.complete);
+        QCOMPARE(among.scale, alone.scale);
+        QCOMPARE(among.efficiency, alone.efficiency);
+        for (int i = 0; i < count; ++i) {
+            QCOMPARE(among.placements[i].angle, alone.placements[i].angle);
+            QCOMPARE(among.placements[i].translation, alone.placements[i].translation);
+        }
+        // One that reaches over the border is in the way.
+        islands.push_back(box(0.9, 0.4, 0.4, 0.2));
+        islands.back().locked = true;
+        const PackResult around = packIslands(islands, settings);
+        QVERIFY(around.complete);
+        QVERIFY(around.scale < alone.scale);
+        QCOMPARE(brokenRule(islands, settings, around), QString());
+    }
+
     // Compaction.
 
     void twoThatAreTooNearArePushedApart()

@@ -14,10 +14,11 @@ uniform float gridPixels;  // between lines
 uniform float minorStrength; // 0 to 1: finer lines appear smoothly
 uniform float minorDivisions;
 uniform bool grid;
-uniform int pattern;       // 0 none, 1 checker, 2 picture
 uniform float checkerSize, lineWidth;
 uniform float patternStrength; // below 1 where islands show the pattern, so that they stand out
 uniform int pictureSet; // counted from 0
+
+const int pattern = PATTERN; // 0 none, 1 checker, 2 picture
 
 #include "picture.glsl"
 

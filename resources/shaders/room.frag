@@ -10,7 +10,8 @@ uniform mat4 toFrame; // from the clip space to the frame of the mesh
 uniform float groundHeight, gridStep;
 uniform float pixelRatio;
 uniform bool grid;
-uniform bool surroundings; // are shown
+
+const bool surroundings = SURROUNDINGS; // are shown
 
 #include "light.glsl"
 

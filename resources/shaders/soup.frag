@@ -19,7 +19,6 @@ uniform float tint; // share of the face colour over a picture
 uniform float pictureHeight; // of the picture in texture space, where it is 1 wide
 uniform float pixelRatio, checkerSize, fillOpacity, lineOpacity;
 uniform bool onPicture; // in the map, a picture lies behind
-uniform int pattern; // 0 none, 1 checker, 2 picture, 3 texture sets under light, not in the map
 uniform bool unlit;  // colours are shown as they are
 uniform ivec2 hoverTriangles, hoverSides;
 uniform uint hoverIsland;
@@ -31,13 +30,14 @@ uniform vec4 selectionColor, hoverColor, overlapColor, flippedColor;
 #include "picture.glsl"
 #include "physical.glsl"
 
-// Known when the shader is compiled: the map needs no light, which is most of the shader.
+// Known when the shader is compiled: light and pictures are most of it, and few views need them.
 #ifdef IN_MAP
-const bool asMap = true, inLight = false;
+const bool asMap = true;
 #else
 const bool asMap = false;
-#define inLight (pattern == 3)
 #endif
+const int pattern = PATTERN; // 0 none, 1 checker, 2 picture, 3 texture sets under light, not in the map
+const bool inLight = pattern == 3;
 
 const uint selectedMark = 1u, overlapMark = 2u, flippedMark = 4u, withoutUvMark = 8u;
 const uint wireStyle = 1u, seamStyle = 3u, givenStyle = 7u;

@@ -30,19 +30,24 @@ void checkSettings(const PackOptions &settings)
             "margin, border, texture size and effort must be finite and not negative");
 }
 
+Eigen::AlignedBox2d boxOf(const PackIsland &island)
+{
+    Eigen::AlignedBox2d box;
+    for (const Vec2 &p : island.points) {
+        if (isUsablePoint(p))
+            box.extend(p);
+    }
+    return box;
+}
+
 //! The unit of the outlines, in UV units: the square root of the total area, so that their coordinates are
 //! near 1 whatever the size of the map.
-double chooseUnit(const std::vector<PackIsland> &islands)
+double chooseUnit(const std::vector<PackIsland> &islands, const std::vector<int> &chosen)
 {
     double area = 0, extent = 0;
-    for (const PackIsland &island : islands) {
-        area += islandArea(island);
-        Eigen::AlignedBox2d box;
-        for (const Vec2 &p : island.points) {
-            if (isUsablePoint(p))
-                box.extend(p);
-        }
-        if (!box.isEmpty())
+    for (const int i : chosen) {
+        area += islandArea(islands[i]);
+        if (const Eigen::AlignedBox2d box = boxOf(islands[i]); !box.isEmpty())
             extent = std::max(extent, box.sizes().maxCoeff());
     }
     const double unit = std::max(std::sqrt(area), 1e-3 * extent);
@@ -83,10 +88,17 @@ std::optional<PackProblem> withLongIslandsFree(const PackOptions &settings, cons
     return result;
 }
 
-PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOptions &settings)
+//! The problem of those islands that can be in each other's way.
+struct GivenProblem
 {
     PackProblem problem;
-    problem.unit = chooseUnit(islands);
+    std::vector<int> islands; //!< per outline: the island
+};
+
+GivenProblem makeProblem(const std::vector<PackIsland> &islands, const PackOptions &settings)
+{
+    GivenProblem given;
+    PackProblem &problem = given.problem;
     problem.rotation = settings.rotation;
     const double texel = 1.0 / settings.textureSize;
     const Vec2 size = settings.upper - settings.lower;
@@ -98,7 +110,16 @@ PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOption
     const double border = (settings.border >= 0 ? settings.border : 0.5 * settings.margin) * texel + rounding;
     problem.lower = settings.lower + Vec2::Constant(border);
     problem.upper = settings.upper - Vec2::Constant(border);
-    for (const PackIsland &island : islands) {
+    // Locked islands that are a margin away from wherever others may lie are not in the way, such as those of
+    // the next tile, which keep its border.
+    const Eigen::AlignedBox2d range(problem.lower, problem.upper);
+    for (int i = 0; i < static_cast<int>(islands.size()); ++i) {
+        if (!islands[i].locked || areNear(range, boxOf(islands[i]), settings.margin * texel + rounding))
+            given.islands.push_back(i);
+    }
+    problem.unit = chooseUnit(islands, given.islands);
+    for (const int i : given.islands) {
+        const PackIsland &island = islands[i];
         Outline &outline = problem.outlines.emplace_back(makeOutline(island, problem.unit));
         if (settings.keepStraight && !outline.squareAngle && standsOnAxes(outline))
             outline.squareAngle = 0;
@@ -109,7 +130,7 @@ PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOption
             outline.squareAngle.reset(); // it stands as the user wants it
         problem.given.push_back({0, outline.centre});
     }
-    return problem;
+    return given;
 }
 
 //! The layout in shelves at the largest scale that a bisection finds; scale 0 when there is none.
@@ -244,7 +265,8 @@ PackResult packIslands(const std::vector<PackIsland> &islands, const PackOptions
                        const JobContext &job)
 {
     checkSettings(settings);
-    const PackProblem problem = makeProblem(islands, settings);
+    const GivenProblem given = makeProblem(islands, settings);
+    const PackProblem &problem = given.problem;
     PackResult result;
     result.placements.resize(islands.size());
     bool anyMovable = false;
@@ -265,9 +287,8 @@ PackResult packIslands(const std::vector<PackIsland> &islands, const PackOptions
         if (!problem.movable(i))
             continue;
         const Pose &pose = layout.poses[i];
-        result.placements[i].angle = pose.angle;
-        result.placements[i].translation =
-            pose.position - Turn(pose.angle, result.scale)(problem.outlines[i].centre);
+        result.placements[given.islands[i]] = {
+            pose.angle, pose.position - Turn(pose.angle, result.scale)(problem.outlines[i].centre)};
     }
     job.report(1);
     return result;

@@ -10,9 +10,7 @@ constexpr int pictureUnit = 0, tableUnit = 1;
 
 } // namespace
 
-Backdrop::Backdrop(GlFunctions &gl)
-    : mGl(gl), mRoom(makeShaderProgram(QStringLiteral("screen"), QStringLiteral("room"))),
-      mPaper(makeShaderProgram(QStringLiteral("screen"), QStringLiteral("paper")))
+Backdrop::Backdrop(GlFunctions &gl) : mGl(gl)
 {
     mGl.glGenVertexArrays(1, &mArray);
 }
@@ -22,32 +20,50 @@ Backdrop::~Backdrop()
     mGl.glDeleteVertexArrays(1, &mArray);
 }
 
+QOpenGLShaderProgram &Backdrop::room(bool surroundings)
+{
+    std::unique_ptr<QOpenGLShaderProgram> &made = mRooms[surroundings];
+    if (!made)
+        made = makeShaderProgram(QStringLiteral("screen"), QStringLiteral("room"),
+                                 {surroundings ? "SURROUNDINGS true" : "SURROUNDINGS false"});
+    return *made;
+}
+
+QOpenGLShaderProgram &Backdrop::paper(int pattern)
+{
+    std::unique_ptr<QOpenGLShaderProgram> &made = mPapers[pattern];
+    if (!made)
+        made = makeShaderProgram(QStringLiteral("screen"), QStringLiteral("paper"),
+                                 {"PATTERN " + QByteArray::number(pattern)});
+    return *made;
+}
+
 void Backdrop::draw(const RoomDrawing &drawing, const ViewColors &colors)
 {
-    mRoom->bind();
-    mRoom->setUniformValue("topColor", colors.backgroundTop);
-    mRoom->setUniformValue("bottomColor", colors.backgroundBottom);
-    mRoom->setUniformValue("gridColor", colors.gridMajor);
-    mRoom->setUniformValue("axisX", colors.axes[0]);
-    mRoom->setUniformValue("axisZ", colors.axes[2]);
-    mRoom->setUniformValue("toFrame", drawing.clipMatrix.inverted());
-    mRoom->setUniformValue("groundHeight", static_cast<float>(drawing.groundHeight));
-    mRoom->setUniformValue("gridStep", static_cast<float>(drawing.gridStep));
-    mRoom->setUniformValue("pixelRatio", static_cast<float>(drawing.pixelRatio));
-    mRoom->setUniformValue("grid", drawing.grid);
     const bool seen = drawing.environment && !drawing.environment->isEmpty();
-    mRoom->setUniformValue("surroundings", seen);
-    mRoom->setUniformValue("environment", pictureUnit);
+    QOpenGLShaderProgram &p = room(seen);
+    p.bind();
+    p.setUniformValue("topColor", colors.backgroundTop);
+    p.setUniformValue("bottomColor", colors.backgroundBottom);
+    p.setUniformValue("gridColor", colors.gridMajor);
+    p.setUniformValue("axisX", colors.axes[0]);
+    p.setUniformValue("axisZ", colors.axes[2]);
+    p.setUniformValue("toFrame", drawing.clipMatrix.inverted());
+    p.setUniformValue("groundHeight", static_cast<float>(drawing.groundHeight));
+    p.setUniformValue("gridStep", static_cast<float>(drawing.gridStep));
+    p.setUniformValue("pixelRatio", static_cast<float>(drawing.pixelRatio));
+    p.setUniformValue("grid", drawing.grid);
+    p.setUniformValue("environment", pictureUnit);
     if (seen)
-        drawing.environment->use(*mRoom, pictureUnit, drawing.toEnvironment, drawing.exposure);
+        drawing.environment->use(p, pictureUnit, drawing.toEnvironment, drawing.exposure);
     fillView();
-    mRoom->release();
+    p.release();
 }
 
 void Backdrop::draw(const PaperDrawing &drawing, const ViewColors &colors)
 {
     const bool textured = isPicture(drawing.pattern) && drawing.pictures && !drawing.pictures->isEmpty();
-    QOpenGLShaderProgram &p = *mPaper;
+    QOpenGLShaderProgram &p = paper(textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
     p.bind();
     p.setUniformValue("outsideColor", colors.mapBackground);
     p.setUniformValue("insideColor", colors.mapInside);
@@ -68,7 +84,6 @@ void Backdrop::draw(const PaperDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("minorStrength", static_cast<float>(drawing.minorStrength));
     p.setUniformValue("minorDivisions", static_cast<float>(drawing.minorDivisions));
     p.setUniformValue("grid", drawing.grid);
-    p.setUniformValue("pattern", textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
     p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
     p.setUniformValue("patternStrength", static_cast<float>(drawing.patternStrength));
     p.setUniformValue("lineWidth", static_cast<float>(drawing.lineWidth));

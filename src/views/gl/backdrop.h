@@ -11,6 +11,7 @@
 #include <QOpenGLShaderProgram>
 #include <QVector2D>
 
+#include <array>
 #include <memory>
 
 namespace autocuts {
@@ -61,10 +62,14 @@ public:
     void draw(const PaperDrawing &drawing, const ViewColors &colors);
 
 private:
+    QOpenGLShaderProgram &room(bool surroundings);
+    QOpenGLShaderProgram &paper(int pattern);
     void fillView();
 
     GlFunctions &mGl;
-    std::unique_ptr<QOpenGLShaderProgram> mRoom, mPaper;
+    //! Once needed: without and with surroundings; per pattern of paper.frag.
+    std::array<std::unique_ptr<QOpenGLShaderProgram>, 2> mRooms;
+    std::array<std::unique_ptr<QOpenGLShaderProgram>, 3> mPapers;
     GLuint mArray = 0; //!< empty; the core profile requires a vertex array
 };
 

@@ -35,13 +35,13 @@ QByteArray shaderText(const QString &name)
 
 } // namespace
 
-std::unique_ptr<QOpenGLShaderProgram> makeShaderProgram(const QString &vertexName,
-                                                        const QString &fragmentName, const QByteArray &define)
+std::unique_ptr<QOpenGLShaderProgram>
+makeShaderProgram(const QString &vertexName, const QString &fragmentName, const QByteArrayList &defines)
 {
     [[maybe_unused]] static const bool initialized = (initResources(), true);
-    const auto text = [&define](const QString &name) {
+    const auto text = [&defines](const QString &name) {
         QByteArray all = shaderText(name);
-        if (!define.isEmpty())
+        for (const QByteArray &define : defines)
             all.insert(all.indexOf('\n') + 1, "#define " + define + '\n'); // after the version
         return all;
     };

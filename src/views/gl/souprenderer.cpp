@@ -19,10 +19,10 @@ QVector4D toVector(const QColor &color)
 } // namespace
 
 SoupRenderer::SoupRenderer(GlFunctions &gl, bool asMap)
-    : mGl(gl), mAsMap(asMap), mProgram(makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"),
-                                                         asMap ? "IN_MAP" : QByteArray())),
-      mVertices(gl), mUvs(gl), mGhostUvs(gl), mTangents(gl), mFaces(gl), mSides(gl), mIslands(gl), mSets(gl)
+    : mGl(gl), mAsMap(asMap), mVertices(gl), mUvs(gl), mGhostUvs(gl), mTangents(gl), mFaces(gl), mSides(gl),
+      mIslands(gl), mSets(gl)
 {
+    program(0); // says here that the driver cannot compile it
     mArray = makeArray(mUvs);
     mGhostArray = makeArray(mGhostUvs);
 }
@@ -75,7 +75,19 @@ void SoupRenderer::setTangents(std::span<const float> tangents)
     mHasTangents = !tangents.empty();
 }
 
-void SoupRenderer::setStyles(const SoupDrawing &drawing, const ViewColors &colors)
+QOpenGLShaderProgram &SoupRenderer::program(int pattern)
+{
+    std::unique_ptr<QOpenGLShaderProgram> &made = mPrograms[pattern];
+    if (!made) {
+        QByteArrayList defines{"PATTERN " + QByteArray::number(pattern)};
+        if (mAsMap)
+            defines << "IN_MAP";
+        made = makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"), defines);
+    }
+    return *made;
+}
+
+void SoupRenderer::setStyles(QOpenGLShaderProgram &p, const SoupDrawing &drawing, const ViewColors &colors)
 {
     std::array<QVector4D, static_cast<int>(SideStyle::Count)> sideColors;
     std::array<float, static_cast<int>(SideStyle::Count)> halfWidths;
@@ -83,7 +95,6 @@ void SoupRenderer::setStyles(const SoupDrawing &drawing, const ViewColors &color
         sideColors[i] = toVector(colors.sides[i]);
         halfWidths[i] = 0.5f * colors.sideWidths[i] * static_cast<float>(drawing.pixelRatio);
     }
-    QOpenGLShaderProgram &p = *mProgram;
     p.setUniformValueArray("sideColors", sideColors.data(), static_cast<int>(sideColors.size()));
     p.setUniformValueArray("sideHalfWidths", halfWidths.data(), static_cast<int>(halfWidths.size()), 1);
     p.setUniformValue("selectionColor", toVector(colors.selection));
@@ -101,18 +112,20 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors, co
 {
     if (mCount == 0 || runs.first.empty())
         return;
-    QOpenGLShaderProgram &p = *mProgram;
+    const bool textured = isPicture(drawing.pattern) && drawing.pictures && !drawing.pictures->isEmpty();
+    const bool physical = textured && !mAsMap && drawing.environment && !drawing.environment->isEmpty();
+    QOpenGLShaderProgram &p = program(physical                              ? 3
+                                      : textured                            ? 2
+                                      : drawing.pattern == Pattern::Checker ? 1
+                                                                            : 0);
     p.bind();
-    setStyles(drawing, colors);
+    setStyles(p, drawing, colors);
     p.setUniformValue("viewMatrix", drawing.view);
     p.setUniformValue("projectionMatrix", drawing.projection);
     p.setUniformValue("mapScale", drawing.mapScale);
     p.setUniformValue("mapOffset", drawing.mapOffset);
     p.setUniformValue("pixelRatio", static_cast<float>(drawing.pixelRatio));
     p.setUniformValue("smoothShading", drawing.smooth);
-    const bool textured = isPicture(drawing.pattern) && drawing.pictures && !drawing.pictures->isEmpty();
-    const bool physical = textured && !mAsMap && drawing.environment && !drawing.environment->isEmpty();
-    p.setUniformValue("pattern", physical ? 3 : textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
     p.setUniformValue("pictureHeight",
                       static_cast<float>(pictureHeight(drawing.pattern, drawing.tileHeight)));
     p.setUniformValue("unlit", drawing.pattern == Pattern::Physical || (textured && drawing.asItIs));

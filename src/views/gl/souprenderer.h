@@ -11,6 +11,7 @@
 #include <QOpenGLShaderProgram>
 #include <QVector2D>
 
+#include <array>
 #include <memory>
 
 namespace autocuts {
@@ -74,11 +75,13 @@ public:
 
 private:
     GLuint makeArray(GlBuffer &uvs);
-    void setStyles(const SoupDrawing &drawing, const ViewColors &colors);
+    QOpenGLShaderProgram &program(int pattern);
+    static void setStyles(QOpenGLShaderProgram &program, const SoupDrawing &drawing,
+                          const ViewColors &colors);
 
     GlFunctions &mGl;
     const bool mAsMap;
-    std::unique_ptr<QOpenGLShaderProgram> mProgram;
+    std::array<std::unique_ptr<QOpenGLShaderProgram>, 4> mPrograms; //!< per pattern of soup.frag, once needed
     GlBuffer mVertices, mUvs, mGhostUvs, mTangents;
     GlTexelBuffer mFaces, mSides, mIslands, mSets;
     GLuint mArray = 0, mGhostArray = 0;
