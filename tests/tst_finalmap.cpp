@@ -115,7 +115,7 @@ private Q_SLOTS:
 
     void itDoesNotDependOnTheThreads()
     {
-        const Solved solver(snapshotOf(test::sphere(12, 16)));
+        const Solved solver(snapshotOf(test::sphere(8, 12)));
         const auto one = makeRefinedMap(solver, {}, {nullptr, 1});
         const auto two = makeRefinedMap(solver, {}, {nullptr, 2});
         QVERIFY(one && two);

@@ -172,7 +172,7 @@ private Q_SLOTS:
     void everyMapIsValidAndTheLastOneIsGood()
     {
         QFETCH(QString, name);
-        const test::MeshPtr mesh = name == QLatin1String("sphere")  ? test::sphere(8, 10)
+        const test::MeshPtr mesh = name == QLatin1String("sphere")  ? test::sphere(6, 8)
                                    : name == QLatin1String("torus") ? test::torus(18, 10)
                                                                     : test::meshNamed(name);
         Bench bench(mesh);
@@ -233,7 +233,7 @@ private Q_SLOTS:
 
     void aTighterBoundIsMet()
     {
-        Bench bench(test::sphere(8, 10));
+        Bench bench(test::sphere(6, 8));
         bench.start();
         QVERIFY(bench.comesToRest());
         QVERIFY(bench.maps.back()->distortion > 4.03);
@@ -248,7 +248,7 @@ private Q_SLOTS:
     //! As when an artist draws a rectangle first, then presses Space.
     void aSolveBeginsWithARectangle()
     {
-        Bench bench(test::sphere(8, 10));
+        Bench bench(test::sphere(6, 8));
         bench.startFrom(unwrapMesh(bench.snapshot, {}).uv);
         bench.keeper->pause();
         std::vector<int> all(bench.snapshot.mesh->soupCornerCount());
@@ -343,7 +343,7 @@ private Q_SLOTS:
     //! What was found before a pause is where it goes on.
     void itGoesOnAfterAPause()
     {
-        Bench bench(test::sphere(8, 10));
+        Bench bench(test::sphere(6, 8));
         bench.start();
         QVERIFY(bench.waitFor([&] { return !bench.maps.empty() && bench.maps.back()->withinBound; }));
         bench.keeper->pause();
@@ -361,7 +361,7 @@ private Q_SLOTS:
 
     void cutsAndJoinsAreObeyed()
     {
-        Bench bench(test::sphere(10, 12));
+        Bench bench(test::sphere(8, 10));
         bench.start();
         QVERIFY(bench.comesToRest());
         const std::vector<int> cuts = edgesOf(bench.maps.back(), false, 12);
@@ -392,7 +392,7 @@ private Q_SLOTS:
 
     void pinsAndRectanglesAreObeyed()
     {
-        Bench bench(test::sphere(8, 10));
+        Bench bench(test::sphere(6, 8));
         bench.start();
         QVERIFY(bench.comesToRest());
         bench.startFrom(bench.maps.back()->uv);
@@ -464,7 +464,7 @@ private Q_SLOTS:
 
     void aPulledMapFollowsAndComesBack()
     {
-        Bench bench(test::sphere(8, 10));
+        Bench bench(test::sphere(6, 8));
         bench.start();
         QVERIFY(bench.comesToRest());
         bench.startFrom(bench.maps.back()->uv);
@@ -507,7 +507,7 @@ private Q_SLOTS:
 
     void ordersFromAllSidesLeaveOneStateBehind()
     {
-        Bench bench(test::sphere(8, 10));
+        Bench bench(test::sphere(6, 8));
         for (int run = 1; run <= 30; ++run) {
             bench.snapshot.mesh = test::sphere(run % 3 == 0 ? 12 : 8, 16);
             ++bench.snapshot.token.topology;
