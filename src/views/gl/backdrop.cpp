@@ -12,6 +12,12 @@ constexpr int pictureUnit = 0, tableUnit = 1;
 
 Backdrop::Backdrop(GlFunctions &gl) : mGl(gl)
 {
+    const QString screen = QStringLiteral("screen");
+    for (int i = 0; i < 2; ++i)
+        mRooms[i] = makeShaderProgram(screen, QStringLiteral("room"),
+                                      {i == 0 ? "SURROUNDINGS false" : "SURROUNDINGS true"});
+    for (int i = 0; i < 3; ++i)
+        mPapers[i] = makeShaderProgram(screen, QStringLiteral("paper"), {"PATTERN " + QByteArray::number(i)});
     mGl.glGenVertexArrays(1, &mArray);
 }
 
@@ -20,28 +26,10 @@ Backdrop::~Backdrop()
     mGl.glDeleteVertexArrays(1, &mArray);
 }
 
-QOpenGLShaderProgram &Backdrop::room(bool surroundings)
-{
-    std::unique_ptr<QOpenGLShaderProgram> &made = mRooms[surroundings];
-    if (!made)
-        made = makeShaderProgram(QStringLiteral("screen"), QStringLiteral("room"),
-                                 {surroundings ? "SURROUNDINGS true" : "SURROUNDINGS false"});
-    return *made;
-}
-
-QOpenGLShaderProgram &Backdrop::paper(int pattern)
-{
-    std::unique_ptr<QOpenGLShaderProgram> &made = mPapers[pattern];
-    if (!made)
-        made = makeShaderProgram(QStringLiteral("screen"), QStringLiteral("paper"),
-                                 {"PATTERN " + QByteArray::number(pattern)});
-    return *made;
-}
-
 void Backdrop::draw(const RoomDrawing &drawing, const ViewColors &colors)
 {
     const bool seen = drawing.environment && !drawing.environment->isEmpty();
-    QOpenGLShaderProgram &p = room(seen);
+    QOpenGLShaderProgram &p = *mRooms[seen];
     p.bind();
     p.setUniformValue("topColor", colors.backgroundTop);
     p.setUniformValue("bottomColor", colors.backgroundBottom);
@@ -63,7 +51,7 @@ void Backdrop::draw(const RoomDrawing &drawing, const ViewColors &colors)
 void Backdrop::draw(const PaperDrawing &drawing, const ViewColors &colors)
 {
     const bool textured = isPicture(drawing.pattern) && drawing.pictures && !drawing.pictures->isEmpty();
-    QOpenGLShaderProgram &p = paper(textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
+    QOpenGLShaderProgram &p = *mPapers[textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0];
     p.bind();
     p.setUniformValue("outsideColor", colors.mapBackground);
     p.setUniformValue("insideColor", colors.mapInside);

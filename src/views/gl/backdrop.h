@@ -62,14 +62,11 @@ public:
     void draw(const PaperDrawing &drawing, const ViewColors &colors);
 
 private:
-    QOpenGLShaderProgram &room(bool surroundings);
-    QOpenGLShaderProgram &paper(int pattern);
     void fillView();
 
     GlFunctions &mGl;
-    //! Once needed: without and with surroundings; per pattern of paper.frag.
-    std::array<std::unique_ptr<QOpenGLShaderProgram>, 2> mRooms;
-    std::array<std::unique_ptr<QOpenGLShaderProgram>, 3> mPapers;
+    std::array<std::unique_ptr<QOpenGLShaderProgram>, 2> mRooms;  //!< without and with surroundings
+    std::array<std::unique_ptr<QOpenGLShaderProgram>, 3> mPapers; //!< per pattern of paper.frag
     GLuint mArray = 0; //!< empty; the core profile requires a vertex array
 };
 

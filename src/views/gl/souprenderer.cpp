@@ -22,7 +22,13 @@ SoupRenderer::SoupRenderer(GlFunctions &gl, bool asMap)
     : mGl(gl), mAsMap(asMap), mVertices(gl), mUvs(gl), mGhostUvs(gl), mTangents(gl), mFaces(gl), mSides(gl),
       mIslands(gl), mSets(gl)
 {
-    program(0); // says here that the driver cannot compile it
+    const int patterns = asMap ? 3 : 4; // the map has no light
+    for (int pattern = 0; pattern < patterns; ++pattern) {
+        QByteArrayList defines{"PATTERN " + QByteArray::number(pattern)};
+        if (asMap)
+            defines << "IN_MAP";
+        mPrograms[pattern] = makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"), defines);
+    }
     mArray = makeArray(mUvs);
     mGhostArray = makeArray(mGhostUvs);
 }
@@ -75,18 +81,6 @@ void SoupRenderer::setTangents(std::span<const float> tangents)
     mHasTangents = !tangents.empty();
 }
 
-QOpenGLShaderProgram &SoupRenderer::program(int pattern)
-{
-    std::unique_ptr<QOpenGLShaderProgram> &made = mPrograms[pattern];
-    if (!made) {
-        QByteArrayList defines{"PATTERN " + QByteArray::number(pattern)};
-        if (mAsMap)
-            defines << "IN_MAP";
-        made = makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"), defines);
-    }
-    return *made;
-}
-
 void SoupRenderer::setStyles(QOpenGLShaderProgram &p, const SoupDrawing &drawing, const ViewColors &colors)
 {
     std::array<QVector4D, static_cast<int>(SideStyle::Count)> sideColors;
@@ -114,10 +108,8 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors, co
         return;
     const bool textured = isPicture(drawing.pattern) && drawing.pictures && !drawing.pictures->isEmpty();
     const bool physical = textured && !mAsMap && drawing.environment && !drawing.environment->isEmpty();
-    QOpenGLShaderProgram &p = program(physical                              ? 3
-                                      : textured                            ? 2
-                                      : drawing.pattern == Pattern::Checker ? 1
-                                                                            : 0);
+    const int pattern = physical ? 3 : textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0;
+    QOpenGLShaderProgram &p = *mPrograms[pattern];
     p.bind();
     setStyles(p, drawing, colors);
     p.setUniformValue("viewMatrix", drawing.view);

@@ -75,13 +75,12 @@ public:
 
 private:
     GLuint makeArray(GlBuffer &uvs);
-    QOpenGLShaderProgram &program(int pattern);
     static void setStyles(QOpenGLShaderProgram &program, const SoupDrawing &drawing,
                           const ViewColors &colors);
 
     GlFunctions &mGl;
     const bool mAsMap;
-    std::array<std::unique_ptr<QOpenGLShaderProgram>, 4> mPrograms; //!< per pattern of soup.frag, once needed
+    std::array<std::unique_ptr<QOpenGLShaderProgram>, 4> mPrograms; //!< per pattern of soup.frag
     GlBuffer mVertices, mUvs, mGhostUvs, mTangents;
     GlTexelBuffer mFaces, mSides, mIslands, mSets;
     GLuint mArray = 0, mGhostArray = 0;
