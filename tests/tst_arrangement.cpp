@@ -1,8 +1,8 @@
 // Laying out islands as pieces: what is computed, without the window.
 #include "commands/setislandflags.h"
 #include "commands/stackislands.h"
-#include "model/document/arrangement.h"
 #include "model/document/document.h"
+#include "model/editing/arrangement.h"
 #include "model/plain/chartcopies.h"
 #include "support/pieces.h"
 

@@ -1,6 +1,6 @@
 // Baking in the studio: the dialog by mouse and keys, the job, its files, Cancel, and a solve that runs.
 #include "jobs/bakechoice.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "support/bakesession.h"
 #include "support/damagedsessions.h"
 #include "support/mappedmodels.h"

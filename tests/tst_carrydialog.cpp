@@ -1,7 +1,7 @@
 // Carrying textures over in the studio: the dialog by mouse and keys, the files, undo, Cancel, sessions.
 #include "commands/setuvs.h"
 #include "model/io/meshes/meshfile.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "support/damagedsessions.h"
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"

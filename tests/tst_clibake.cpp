@@ -1,6 +1,6 @@
 // The command line's bakes: its files and report, carried textures, and its mistakes.
 #include "model/io/meshes/meshfile.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "solver/bake/bakemaps.h"
 #include "support/cliruns.h"
 #include "support/mappedmodels.h"

@@ -1,7 +1,7 @@
 // The command line's light bake: its lights, surfaces, files and mistakes.
 #include "jobs/lightmaterials.h"
 #include "model/io/meshes/meshfile.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "support/cliruns.h"
 #include "support/mappedmodels.h"
 

@@ -6,8 +6,8 @@
 #include "model/io/files/savefile.h"
 #include "model/io/meshes/instances.h"
 #include "model/io/meshes/meshfile.h"
-#include "model/io/pictures/picturefiles.h"
-#include "model/io/pictures/texturefiles.h"
+#include "model/pictures/picturefiles.h"
+#include "model/pictures/texturefiles.h"
 #include "support/colladafiles.h"
 #include "support/gltffiles.h"
 

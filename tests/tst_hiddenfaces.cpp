@@ -1,7 +1,7 @@
 // Hidden faces in the document: selection, undo, journal, session file and re-linking.
 #include "commands/commandfactory.h"
 #include "commands/hidefaces.h"
-#include "model/document/relink.h"
+#include "model/editing/relink.h"
 #include "model/io/projects/projectfile.h"
 #include "support/editsupport.h"
 

@@ -29,8 +29,8 @@ struct Layer
 
 const std::vector<Layer> layers{
     {"model",
-     {"plain", "transfer", "document", "samples", "io/files", "io/pictures", "io/formats", "io/obj",
-      "io/assimp", "io/gltf", "io/collada", "io/fbx", "io/meshes", "io/projects", "io/outputs", "io/layouts"},
+     {"plain", "transfer", "document", "editing", "samples", "io/files", "pictures", "io/formats", "io/obj",
+      "io/assimp", "io/gltf", "io/collada", "io/fbx", "io/meshes", "io/projects", "io/outputs", "layouts"},
      {}},
     {"reader", {""}, {"model"}},
     {"commands", {""}, {"model"}},

@@ -1,7 +1,7 @@
 // Baking light in the studio: the dialog by mouse and keys, the set for lightmaps, files, views, Cancel.
 #include "commands/changesettings.h"
 #include "model/io/meshes/meshfile.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"

@@ -1,7 +1,7 @@
 // Bakes that follow the map while it changes: what is shown, what is refined, what ends them.
 #include "commands/edittextures.h"
 #include "jobs/bakechoice.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "support/bakesession.h"
 #include "support/mappedmodels.h"
 #include "support/patience.h"

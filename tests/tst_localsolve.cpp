@@ -1,5 +1,5 @@
 // Solving parts of maps: chains of edges made straight, selections relaxed.
-#include "model/document/edgechains.h"
+#include "model/editing/edgechains.h"
 #include "model/plain/chart.h"
 #include "solver/homotopy/localsolve.h"
 #include "support/meshbuilders.h"

@@ -1,6 +1,6 @@
 // Picture files: what is written is read again; formats that Qt does not know; damaged files.
-#include "model/io/pictures/picturefiles.h"
-#include "model/io/pictures/picturesize.h"
+#include "model/pictures/picturefiles.h"
+#include "model/pictures/picturesize.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>

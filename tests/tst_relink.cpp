@@ -1,5 +1,5 @@
 // Re-linking: what of a session stays when its model is exchanged.
-#include "model/document/relink.h"
+#include "model/editing/relink.h"
 #include "model/io/obj/objreader.h"
 #include "model/io/projects/projectmigration.h"
 #include "model/plain/polygonsides.h"

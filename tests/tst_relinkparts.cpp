@@ -1,5 +1,5 @@
 // Re-linking a model whose parts were moved or deformed beside others that are gone or new.
-#include "model/document/relink.h"
+#include "model/editing/relink.h"
 #include "support/editsupport.h"
 
 #include <QTest>

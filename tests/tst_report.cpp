@@ -1,6 +1,6 @@
 // The JSON report and the sentences of the mesh doctor.
-#include "model/io/layouts/meshdoctor.h"
-#include "model/io/layouts/report.h"
+#include "model/layouts/meshdoctor.h"
+#include "model/layouts/report.h"
 #include "support/meshbuilders.h"
 
 #include <QJsonArray>

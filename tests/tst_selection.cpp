@@ -1,7 +1,7 @@
 // Adjacency and ways to select: loops, paths, growing, islands, similar islands.
 #include "model/document/islands.h"
-#include "model/document/selectiontools.h"
-#include "model/document/similarislands.h"
+#include "model/editing/selectiontools.h"
+#include "model/editing/similarislands.h"
 #include "support/editsupport.h"
 
 #include <QSignalSpy>

@@ -5,9 +5,9 @@
 // more errors.
 #include "model/io/files/savefile.h"
 #include "model/io/files/setjournal.h"
-#include "model/io/layouts/layoutoptions.h"
-#include "model/io/pictures/picturefiles.h"
 #include "model/io/projects/projectfile.h"
+#include "model/layouts/layoutoptions.h"
+#include "model/pictures/picturefiles.h"
 #include "support/cliruns.h"
 #include "support/gltffiles.h"
 #include "support/mappedmodels.h"

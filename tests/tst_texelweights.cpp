@@ -1,7 +1,7 @@
 // Texel weights of faces: kept by sessions and re-linked models, and aimed for by all that makes maps.
 #include "commands/settexelweights.h"
 #include "model/document/makesnapshot.h"
-#include "model/document/relink.h"
+#include "model/editing/relink.h"
 #include "model/io/projects/projectfile.h"
 #include "model/plain/meshpart.h"
 #include "model/plain/texelweights.h"

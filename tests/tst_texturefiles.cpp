@@ -4,9 +4,9 @@
 #include "model/io/files/savefile.h"
 #include "model/io/meshes/meshfile.h"
 #include "model/io/outputs/bakefiles.h"
-#include "model/io/pictures/picturefiles.h"
-#include "model/io/pictures/texturefiles.h"
 #include "model/io/projects/projectfile.h"
+#include "model/pictures/picturefiles.h"
+#include "model/pictures/texturefiles.h"
 #include "support/fbxfiles.h"
 #include "support/gltffiles.h"
 

@@ -1,10 +1,10 @@
 // Texture sets: names of files, folders, what models say, sessions, relinking.
 #include "commands/edittextures.h"
 #include "model/document/documentstate.h"
-#include "model/document/relink.h"
+#include "model/editing/relink.h"
 #include "model/io/meshes/meshfile.h"
-#include "model/io/pictures/texturenames.h"
 #include "model/io/projects/projectfile.h"
+#include "model/pictures/texturenames.h"
 
 #include <QDir>
 #include <QFile>

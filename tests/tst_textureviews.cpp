@@ -1,6 +1,6 @@
 // Texture sets in the window: the panel, light, channels, changed files, sessions.
 #include "commands/setuvs.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"

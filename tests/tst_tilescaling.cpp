@@ -1,7 +1,7 @@
 // Textures that are not square: tiles, files, pictures and packing.
 #include "model/io/formats/tilescaling.h"
-#include "model/io/layouts/uvexport.h"
 #include "model/io/meshes/meshfile.h"
+#include "model/layouts/uvexport.h"
 #include "model/plain/chart.h"
 #include "model/plain/packingsettings.h"
 #include "model/plain/udimtiles.h"

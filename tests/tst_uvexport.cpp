@@ -1,8 +1,8 @@
 // Layout pictures: what is drawn where, and that the bytes are always the same.
 #include "model/io/files/savefile.h"
-#include "model/io/layouts/layoutfiles.h"
-#include "model/io/layouts/layoutpaths.h"
-#include "model/io/layouts/uvexport.h"
+#include "model/layouts/layoutfiles.h"
+#include "model/layouts/layoutpaths.h"
+#include "model/layouts/uvexport.h"
 #include "support/meshbuilders.h"
 #include "support/objuv.h"
 

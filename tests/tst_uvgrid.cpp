@@ -1,5 +1,5 @@
 // Grids of quads become rectangles: widths, place and orientation; what is no grid is left.
-#include "model/document/uvgrid.h"
+#include "model/editing/uvgrid.h"
 #include "model/plain/chart.h"
 #include "support/meshbuilders.h"
 

@@ -13,10 +13,10 @@
 #include "model/io/files/savefile.h"
 #include "model/io/files/sessionlock.h"
 #include "model/io/files/setjournal.h"
-#include "model/io/layouts/uvexport.h"
 #include "model/io/meshes/instances.h"
 #include "model/io/meshes/meshfile.h"
 #include "model/io/projects/projectfile.h"
+#include "model/layouts/uvexport.h"
 #include "model/samples/samples.h"
 
 #include <QBuffer>

@@ -8,13 +8,13 @@
 #include "model/document/givenseams.h"
 #include "model/document/makesnapshot.h"
 #include "model/document/uvsetorder.h"
-#include "model/io/layouts/uvexport.h"
 #include "model/io/meshes/exportlosses.h"
 #include "model/io/meshes/instances.h"
 #include "model/io/meshes/meshfile.h"
-#include "model/io/pictures/texturefiles.h"
 #include "model/io/projects/projectfile.h"
 #include "model/io/projects/projectscene.h"
+#include "model/layouts/uvexport.h"
+#include "model/pictures/texturefiles.h"
 #include "model/plain/uvlayout.h"
 
 #include <QFileInfo>

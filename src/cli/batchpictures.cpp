@@ -5,8 +5,8 @@
 #include "jobs/bakepictures.h"
 #include "jobs/carrytextures.h"
 #include "jobs/othermodel.h"
-#include "model/io/layouts/modelpicture.h"
-#include "model/io/layouts/uvexport.h"
+#include "model/layouts/modelpicture.h"
+#include "model/layouts/uvexport.h"
 
 #include <QJsonArray>
 #include <QPainter>

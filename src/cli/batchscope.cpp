@@ -146,16 +146,6 @@ Result<std::shared_ptr<const JobScope>> batchScope(const CliOptions &options, co
     return std::make_shared<const JobScope>(JobScope{maker.take(), options.borderAttached});
 }
 
-Result<std::vector<int>> batchTiles(const CliOptions &options, const Scene &scene, const ChartMap &charts)
-{
-    std::vector<int> tiles =
-        tilesOfGroups(sceneGroups(scene, *options.per), charts, options.unwrap.packing.udimTile);
-    if (tiles.empty())
-        return Error{u"there are more objects or materials than UDIM tiles"_s, scene.path, 0,
-                     u"Pack the file in parts, with --only"_s};
-    return tiles;
-}
-
 ChartMap chartsAlong(const JobScope &scope, ChartMap charts)
 {
     std::map<std::pair<int, bool>, int> parts; // chart and side of the border

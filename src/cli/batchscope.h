@@ -15,10 +15,6 @@ namespace autocuts {
 //! the scene does not have.
 Result<std::shared_ptr<const JobScope>> batchScope(const CliOptions &options, const Scene &scene);
 
-//! One UDIM tile for each object or material of the scene, for --per. Fails when there are more than tiles.
-//! \pre options.per
-Result<std::vector<int>> batchTiles(const CliOptions &options, const Scene &scene, const ChartMap &charts);
-
 //! Cuts the charts in two where the border of the scope runs through them.
 ChartMap chartsAlong(const JobScope &scope, ChartMap charts);
 

@@ -2,12 +2,11 @@
 
 #include "cli/batchpacking.h"
 #include "cli/batchscope.h"
+#include "jobs/packmap.h"
 #include "model/plain/udimtiles.h"
-#include "solver/preference/meshsymmetry.h"
 #include "solver/unwrap/finishjob.h"
 #include "solver/unwrap/lightmapjob.h"
 #include "solver/unwrap/separatejob.h"
-#include "solver/unwrap/tilepacking.h"
 #include "solver/unwrap/unwrap.h"
 
 #include <algorithm>
@@ -24,24 +23,6 @@ void setUv(Scene &scene, const UvMatrix &uv)
     scene.uvSets.front().uv = uv;
 }
 
-//! The tiles in which the islands of a job stay.
-QString tilesInWords(const std::vector<int> &tiles)
-{
-    QStringList numbers;
-    for (const int tile : tiles)
-        numbers << QString::number(tile);
-    return numbers.join(QStringLiteral(", "));
-}
-
-//! Says of a map of a stopped job whether it was straightened. \param straight see unwrap::UnwrapResult
-void sayStraight(const std::optional<bool> &straight, MadeMap &outcome)
-{
-    if (straight)
-        outcome.warnings << QLatin1String(*straight ? "stopped early: this map is straightened"
-                                                    : "stopped early: this map is not, or not wholly, "
-                                                      "straightened");
-}
-
 //! What the model was taken for.
 QString recognised(double hardShare)
 {
@@ -54,14 +35,22 @@ QString recognised(double hardShare)
         .arg(percent);
 }
 
-//! Says how symmetric the seams are, and what of the mesh has no mirror image.
-void saySymmetry(double share, const MeshData &mesh, MadeMap &outcome)
+//! The text of a remark with what the command line adds to it.
+QString lineOf(const jobs::Remark &remark, const CliOptions &options)
 {
-    outcome.notes << QStringLiteral("symmetric part of the seams: %1 %").arg(100 * share, 0, 'f', 1);
-    const auto symmetry = preference::findSymmetry(mesh);
-    if (symmetry && symmetry->matchedArea < 0.999)
-        outcome.warnings << QStringLiteral("%1 % of the surface have no mirror image: their cuts are free")
-                                .arg(100 * (1 - symmetry->matchedArea), 0, 'f', 1);
+    using Kind = jobs::Remark::Kind;
+    const QString text = jobs::textOf(remark);
+    if (remark.kind == Kind::Upright)
+        return text + QStringLiteral(" (--world-up - lets them turn)");
+    if (remark.kind == Kind::SymmetricSeams && options.settings.symmetry == SymmetryMode::Auto)
+        return text + QStringLiteral(" (--no-symmetry leaves the cuts free)");
+    if (remark.kind == Kind::IslandsPacked || remark.items.empty())
+        return text;
+    return text + QStringLiteral(" (%1 %2)")
+                      .arg(QLatin1String(remark.kind == Kind::UnmetPins         ? "corners"
+                                         : remark.kind == Kind::UnmetRectangles ? "rectangles"
+                                                                                : "edges"),
+                           jobs::inWords(remark.items));
 }
 
 } // namespace
@@ -73,27 +62,15 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
         return snapshot.error();
     const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot.value(), mOptions.unwrap, mJob);
     MadeMap outcome;
-    if (result.nothingFree) {
-        outcome.warnings << nothingFree();
+    say(jobs::remarksOn(snapshot.value(), mOptions.unwrap, result), outcome);
+    if (result.nothingFree)
         return outcome;
-    }
     if (mOptions.unwrap.pack && !result.packed)
         return noRoomError(mOptions);
     setUv(scene, result.uv);
     outcome.flags = result.flags;
     if (const Result<Done> packed = packIntoTiles(snapshot.value(), scene, outcome); !packed)
         return packed.error();
-    if (result.onlyPatches)
-        outcome.warnings << QLatin1String(result.stopped
-                                              ? "stopped before a map with few seams was found: this one is "
-                                                "made of many flat patches"
-                                              : "the mesh is too irregular for a map with few seams: this "
-                                                "one is made of many flat patches");
-    outcome.warnings << unmetText(result.unmet);
-    if (result.stopped)
-        sayStraight(result.straight, outcome);
-    if (result.nothingGained)
-        outcome.notes << QStringLiteral("no better map was found: it stays as it was");
     sayGivenSeams(snapshot.value(), outcome);
     outcome.iterations = result.iterations;
     outcome.hardShare = result.hardShare;
@@ -101,20 +78,6 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
         outcome.notes << recognised(result.hardShare);
     outcome.lambda = result.lambda;
     outcome.delta = result.delta;
-    if (result.upright)
-        outcome.notes << QStringLiteral("the islands stand upright (--world-up - lets them turn)");
-    if (result.symmetry && mOptions.settings.symmetry == SymmetryMode::Auto)
-        outcome.notes << QStringLiteral(
-            "recognised as symmetric: both sides have the same seams (--no-symmetry "
-            "says otherwise)");
-    else if (result.symmetry == 0.0)
-        outcome.warnings << QStringLiteral("the mesh is not symmetric: nor are the cuts");
-    else if (result.symmetry)
-        saySymmetry(*result.symmetry, *scene.mesh, outcome);
-    if (result.symmetryMissed)
-        outcome.warnings << QStringLiteral("no symmetric cuts met the bound: the cuts are free");
-    if (!result.withinBound)
-        sayBoundMissed(result.distortion, outcome);
     return outcome;
 }
 
@@ -138,70 +101,34 @@ Result<Done> MapMaking::packIntoTiles(const Snapshot &snapshot, Scene &scene, Ma
 
 Result<Done> MapMaking::packIslands(const Snapshot &snapshot, Scene &scene, MadeMap &made) const
 {
-    UvMatrix uv = scene.uvSets.front().uv;
     const MeshData &mesh = *scene.mesh;
     Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, snapshot);
     if (!pack)
         return pack.error();
     if (!made.flags.empty())
         pack->faceFlags = made.flags;
-    pack->options.keepStraight = true;
-    ChartMap charts = findCharts(mesh, uv);
+    ChartMap charts = findCharts(mesh, scene.uvSets.front().uv);
     if (const JobScope *scope = snapshot.scope.get()) {
         if (!scope->attached)
             charts = chartsAlong(*scope, charts);
         if (!holdsWholeChart(*scope, charts))
             return noWholeChart();
     }
-    if (mOptions.density > 0 || mOptions.fillTiles)
-        return distribute(charts, pack.value(), scene, made);
-    if (mOptions.per) {
-        charts = dividedByObjects(std::move(charts), sceneGroups(scene, *mOptions.per));
-        Result<std::vector<int>> tiles = batchTiles(mOptions, scene, charts);
-        if (!tiles)
-            return tiles.error();
-        pack->tiles = std::move(tiles).value();
-    }
-    const JobContext job = mJob.part(0, 1, JobStage::Packing);
-    if (!unwrap::packCharts(mesh, charts, pack.value(), uv, job))
-        return noRoomError(mOptions);
-    if (const std::vector<int> kept = usedTiles(pack->tiles); !mOptions.per && kept.size() > 1)
+    jobs::PackChoice choice;
+    choice.density = mOptions.density;
+    choice.fillTiles = mOptions.fillTiles;
+    choice.firstTile = mOptions.unwrap.packing.udimTile;
+    if (mOptions.per && choice.density == 0 && !choice.fillTiles)
+        choice.groups = sceneGroups(scene, *mOptions.per);
+    const std::vector<int> kept = usedTiles(pack->tiles);
+    const jobs::PackedMap packed = jobs::packMap(mesh, std::move(charts), std::move(pack).value(), choice,
+                                                 scene.uvSets.front().uv, mJob.part(0, 1, JobStage::Packing));
+    if (packed.uv.rows() == 0)
+        return errorOf(packed.remarks.problems.front().kind);
+    say(packed.remarks, made);
+    if (kept.size() > 1 && choice.density == 0 && !choice.fillTiles && !mOptions.per)
         made.notes << QStringLiteral("islands stay in their tiles: %1 (--tiles one packs them into one)")
-                          .arg(tilesInWords(kept));
-    setUv(scene, uv);
-    return Done{};
-}
-
-Result<Done> MapMaking::distribute(const ChartMap &charts, const unwrap::PackJob &pack, Scene &scene,
-                                   MadeMap &made) const
-{
-    using Outcome = unwrap::TilePackingResult::Outcome;
-    const UvMatrix &uv = scene.uvSets.front().uv;
-    unwrap::TilePacking tiles;
-    tiles.firstTile = mOptions.unwrap.packing.udimTile;
-    if (mOptions.fillTiles)
-        tiles = unwrap::fillingTiles(*scene.mesh, charts, pack, uv);
-    if (mOptions.density > 0)
-        tiles.density = mOptions.density;
-    const JobContext job = mJob.part(0, 1, JobStage::Packing);
-    const unwrap::TilePackingResult packed = unwrap::packOverTiles(*scene.mesh, charts, pack, tiles, uv, job);
-    switch (packed.outcome) {
-    case Outcome::Done:
-        break;
-    case Outcome::TooMany:
-        return Error{QStringLiteral("the islands need more UDIM tiles than there are"), mOptions.input, 0,
-                     QStringLiteral("Use a smaller --density or a larger --texture-size")};
-    case Outcome::Stopped:
-    case Outcome::NoRoom:
-        return noRoomError(mOptions);
-    }
-    made.notes << QStringLiteral("islands packed: %1, into the tiles %2")
-                      .arg(packed.packed)
-                      .arg(tilesInWords(packed.tiles));
-    if (packed.tooLarge > 0)
-        made.warnings << QStringLiteral(
-                             "islands larger than a tile at this density, and made smaller to fit: %1")
-                             .arg(packed.tooLarge);
+                          .arg(jobs::inWords(kept));
     setUv(scene, packed.uv);
     return Done{};
 }
@@ -221,7 +148,7 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
         return noWholeChart();
     const unwrap::SeparateResult made =
         unwrap::separateMap(snapshot.value(), pack.value(), mJob, mOptions.separation);
-    Result<MadeMap> outcome = separated(scene, made);
+    Result<MadeMap> outcome = separated(snapshot.value(), scene, made);
     using Separation = unwrap::SeparateResult::Outcome;
     if (outcome && (made.outcome == Separation::Done || made.outcome == Separation::NoOverlaps)) {
         if (const Result<Done> packed = packIntoTiles(snapshot.value(), scene, outcome.value()); !packed)
@@ -237,34 +164,20 @@ Result<MadeMap> MapMaking::lightmap(Scene &scene) const
     const Result<Snapshot> snapshot = snapshotOf(scene);
     if (!snapshot)
         return snapshot.error();
-    return separated(scene, unwrap::makeLightmap(snapshot.value(), mOptions.unwrap.packing, mJob));
+    return separated(snapshot.value(), scene,
+                     unwrap::makeLightmap(snapshot.value(), mOptions.unwrap.packing, mJob));
 }
 
-Result<MadeMap> MapMaking::separated(Scene &scene, const unwrap::SeparateResult &made) const
+Result<MadeMap> MapMaking::separated(const Snapshot &snapshot, Scene &scene,
+                                     const unwrap::SeparateResult &made) const
 {
     using Separation = unwrap::SeparateResult::Outcome;
-    MadeMap outcome;
-    switch (made.outcome) {
-    case Separation::Done:
-        setUv(scene, made.uv);
-        outcome.notes << QStringLiteral("edges cut to take overlaps apart: %1").arg(made.newSeams);
-        if (made.unresolvedPairs > 0)
-            outcome.warnings << QStringLiteral("overlaps inside single polygons or across joined edges, "
-                                               "which stay whole: %1")
-                                    .arg(made.unresolvedPairs);
-        break;
-    case Separation::NoOverlaps:
-        outcome.notes << QStringLiteral("there are no overlaps: the map stays as it is");
-        break;
-    case Separation::Stopped:
-        outcome.warnings << QStringLiteral("stopped before the overlaps were taken apart");
-        break;
-    case Separation::NoRoom:
+    if (made.outcome == Separation::NoRoom)
         return noRoomError(mOptions);
-    case Separation::NothingFree:
-        outcome.warnings << nothingFree();
-        break;
-    }
+    MadeMap outcome;
+    say(jobs::remarksOn(snapshot, mOptions.unwrap.packing.keepScale, made), outcome);
+    if (made.outcome == Separation::Done)
+        setUv(scene, made.uv);
     return outcome;
 }
 
@@ -281,34 +194,15 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
     finish.packing = mOptions.unwrap.packing;
     const unwrap::FinishResult made = unwrap::finishMap(finish, mJob);
     MadeMap outcome;
-    if (made.uv.rows() == 0) {
-        outcome.warnings << QStringLiteral("stopped before there was a finished map");
+    say(jobs::remarksOn(finish, made, mJob.stopped()), outcome);
+    if (made.uv.rows() == 0)
         return outcome;
-    }
     if (made.noRoom)
         return noRoomError(mOptions);
     setUv(scene, made.uv);
     if (const Result<Done> packed = packIntoTiles(snapshot.value(), scene, outcome); !packed)
         return packed.error();
-    if (made.madeSmaller)
-        outcome.warnings << QStringLiteral("there is no room for the islands at their scale: all of a tile "
-                                           "are smaller now");
-    if (made.nothingGained)
-        outcome.notes << QStringLiteral("no better map was found: it stays as it was");
-    if (made.notReplaced > 0)
-        outcome.notes << QStringLiteral("islands that stay as they were, because there is no room for better "
-                                        "ones: %1")
-                             .arg(made.notReplaced);
-    if (made.nothingFree)
-        outcome.warnings << nothingFree();
-    else if (!made.withinBound)
-        sayBoundMissed(made.distortion, outcome);
-    outcome.warnings << unmetText(made.unmet);
-    if (mJob.stopped())
-        sayStraight(made.straight, outcome);
     sayGivenSeams(snapshot.value(), outcome);
-    if (made.heldTogether)
-        outcome.warnings << QStringLiteral("the map still covers itself: joined edges hold it together");
     return outcome;
 }
 
@@ -355,42 +249,31 @@ void MapMaking::sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const
         made.warnings << QStringLiteral("there are no given seams: --seams-from names where they come from");
 }
 
-void MapMaking::sayBoundMissed(double distortion, MadeMap &made) const
+void MapMaking::say(const jobs::MapRemarks &remarks, MadeMap &made) const
 {
-    made.boundMissed = true;
-    made.warnings << QStringLiteral("the distortion is %1, above the bound of %2")
-                         .arg(distortion, 0, 'g', 6)
-                         .arg(mOptions.unwrap.maxDistortion);
+    for (const jobs::Remark &note : remarks.notes)
+        made.notes << lineOf(note, mOptions);
+    for (const jobs::Remark &problem : remarks.problems) {
+        made.warnings << lineOf(problem, mOptions);
+        made.boundMissed = made.boundMissed || problem.kind == jobs::Remark::Kind::AboveBound;
+    }
 }
 
-QString MapMaking::nothingFree() const
+Error MapMaking::errorOf(jobs::Remark::Kind problem) const
 {
-    return QStringLiteral(
-        "the map stays as it is: locks, stacks, groups or the scope leave nothing to change");
-}
-
-QStringList MapMaking::unmetText(const unwrap::UnmetSteering &unmet) const
-{
-    const auto numbers = [](const std::vector<int> &items) {
-        QStringList list;
-        for (const int item : items)
-            list << QString::number(item);
-        return list.join(QStringLiteral(", "));
-    };
-    QStringList lines;
-    if (!unmet.pins.empty())
-        lines << QStringLiteral("hard pins that could not be reached, at the corners %1")
-                     .arg(numbers(unmet.pins));
-    if (!unmet.joins.empty())
-        lines << QStringLiteral("joined edges that had to stay open: %1").arg(numbers(unmet.joins));
-    if (!unmet.bent.empty())
-        lines << QStringLiteral("edges kept straight that are bent: %1").arg(numbers(unmet.bent));
-    if (!unmet.missingSeams.empty())
-        lines << QStringLiteral("seams that are not given and were needed: the edges %1")
-                     .arg(numbers(unmet.missingSeams));
-    if (!unmet.rectangles.empty())
-        lines << QStringLiteral("rectangles that islands reach out of: %1").arg(numbers(unmet.rectangles));
-    return lines;
+    switch (problem) {
+    case jobs::Remark::Kind::TooManyTiles:
+        return {QStringLiteral("the islands need more UDIM tiles than there are"), mOptions.input, 0,
+                QStringLiteral("Use a smaller --density or a larger --texture-size")};
+    case jobs::Remark::Kind::TooManyGroups:
+        return {QStringLiteral("there are more objects or materials than UDIM tiles"), mOptions.input, 0,
+                QStringLiteral("Pack the file in parts, with --only")};
+    case jobs::Remark::Kind::MapCancelled:
+        return {QStringLiteral("stopped before the islands were packed"), mOptions.input, 0,
+                QStringLiteral("Give it a longer --time-limit")};
+    default:
+        return noRoomError(mOptions);
+    }
 }
 
 Error MapMaking::noWholeChart() const

@@ -4,10 +4,10 @@
 #include "cli/batchfiles.h"
 #include "cli/clioptions.h"
 #include "cli/mapreporting.h"
+#include "jobs/mapremarks.h"
 #include "solver/base/jobcontext.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/separatejob.h"
-#include "solver/unwrap/unmetsteering.h"
 
 namespace autocuts {
 
@@ -41,22 +41,18 @@ public:
 
 private:
     //! Puts the result of separating into the scene. Faces without UVs stay as they are.
-    Result<MadeMap> separated(Scene &scene, const unwrap::SeparateResult &made) const;
+    Result<MadeMap> separated(const Snapshot &snapshot, Scene &scene,
+                              const unwrap::SeparateResult &made) const;
     //! Packs the islands of an existing map that may change.
     Result<Done> packIslands(const Snapshot &snapshot, Scene &scene, MadeMap &made) const;
     //! Packs a new map once more when the options distribute it over tiles.
     Result<Done> packIntoTiles(const Snapshot &snapshot, Scene &scene, MadeMap &made) const;
-    //! Packs over tiles, by density or into those in use.
-    Result<Done> distribute(const ChartMap &charts, const unwrap::PackJob &pack, Scene &scene,
-                            MadeMap &made) const;
     //! The input of the solver, with the scope of --only.
     Result<Snapshot> snapshotOf(const Scene &scene) const;
     bool hasOwnTiles(const Snapshot &snapshot) const;
     void sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const;
-    void sayBoundMissed(double distortion, MadeMap &made) const;
-    QString nothingFree() const;
-    //! A line for each kind of steering that the map does not obey.
-    QStringList unmetText(const unwrap::UnmetSteering &unmet) const;
+    void say(const jobs::MapRemarks &remarks, MadeMap &made) const;
+    Error errorOf(jobs::Remark::Kind problem) const;
     Error noWholeChart() const;
     Error noUvs() const;
 

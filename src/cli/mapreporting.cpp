@@ -1,8 +1,8 @@
 #include "cli/mapreporting.h"
 
-#include "model/io/layouts/layoutfiles.h"
-#include "model/io/layouts/mapreport.h"
-#include "model/io/layouts/uvexport.h"
+#include "model/layouts/layoutfiles.h"
+#include "model/layouts/mapreport.h"
+#include "model/layouts/uvexport.h"
 #include "model/plain/meshpart.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/metrics/uvoverlaps.h"

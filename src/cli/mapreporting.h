@@ -5,7 +5,7 @@
 #include "cli/stopsource.h"
 #include "model/document/result.h"
 #include "model/document/scene.h"
-#include "model/io/layouts/report.h"
+#include "model/layouts/report.h"
 #include "model/plain/islandflags.h"
 #include "model/plain/packingsettings.h"
 #include "solver/metrics/uvmetrics.h"

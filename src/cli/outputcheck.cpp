@@ -3,8 +3,8 @@
 #include "model/io/files/savefile.h"
 #include "model/io/meshes/meshfile.h"
 #include "model/io/outputs/fileclashes.h"
-#include "model/io/pictures/texturefiles.h"
 #include "model/io/projects/projectfile.h"
+#include "model/pictures/texturefiles.h"
 
 #include <QFileInfo>
 

@@ -1,6 +1,6 @@
 #include "commands/edittextures.h"
 
-#include "model/io/pictures/texturefiles.h"
+#include "model/pictures/texturefiles.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands/setuvs.h"
-#include "model/document/arrangement.h"
+#include "model/editing/arrangement.h"
 
 #include <functional>
 

@@ -1,6 +1,6 @@
 #include "commands/stackislands.h"
 
-#include "model/document/similarislands.h"
+#include "model/editing/similarislands.h"
 #include "model/plain/chartcopies.h"
 #include "model/plain/uvlayout.h"
 

@@ -91,11 +91,11 @@ Result<MadePictures> bakeLight(const PictureInput &input, int textureSet, const 
     made.files = files.paths();
     made.texels = figures.texels;
     if (!missing.isEmpty())
-        made.warnings.push_back({Warning::Kind::UnreadableTextures, 0, missing});
+        made.warnings.push_back({Remark::Kind::UnreadableTextures, 0, missing});
     // Single texels, as beside a lamp, are not worth a word.
     constexpr double fewest = 0.01;
     if (bright >= fewest)
-        made.warnings.push_back({Warning::Kind::LightCutOff, bright});
+        made.warnings.push_back({Remark::Kind::LightCutOff, bright});
     return made;
 }
 

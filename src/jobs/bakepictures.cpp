@@ -2,9 +2,9 @@
 
 #include "jobs/jobtexts.h"
 #include "jobs/othermodel.h"
-#include "model/document/shadedscene.h"
+#include "jobs/shadedscene.h"
 #include "model/io/outputs/fileclashes.h"
-#include "model/io/pictures/picturesize.h"
+#include "model/pictures/picturesize.h"
 #include "model/plain/udimtiles.h"
 #include "model/transfer/surfacedistance.h"
 
@@ -67,20 +67,20 @@ void chooseTiles(const MeshData &mesh, double tileHeight, PreparedBake &bake)
     const BakedTiles tiles = tilesToBake(mesh, bake.job.low.uv, tileHeight);
     bake.job.tiles = tiles.numbers;
     if (tiles.facesOutside > 0)
-        bake.warnings.push_back({Warning::Kind::FacesNotBaked, double(tiles.facesOutside)});
+        bake.warnings.push_back({Remark::Kind::FacesNotBaked, double(tiles.facesOutside)});
 }
 
 //! Gives a surface the colours that a map of colours needs.
 void takeColors(const DocumentState &model, const BakeChoice &choice, ShadedSurface &surface,
-                Warnings &warnings)
+                Remarks &warnings)
 {
     if (!choice.maps.contains(QLatin1StringView(bake::nameOf(bake::MapKind::Color))))
         return;
     QStringList missing;
     if (!addColors(model, choice.colors, surface, missing))
-        warnings.push_back({Warning::Kind::NoSuchColors});
+        warnings.push_back({Remark::Kind::NoSuchColors});
     if (!missing.isEmpty())
-        warnings.push_back({Warning::Kind::UnreadableTextures, 0, missing});
+        warnings.push_back({Remark::Kind::UnreadableTextures, 0, missing});
 }
 
 //! Takes the positions of a cage from its file.
@@ -111,7 +111,7 @@ Result<Done> takeCage(const MeshData &low, const BakeChoice &choice, const JobCo
             transfer::proposedCage(*bake.job.low.mesh, *bake.job.high->mesh, context.stopFlag());
         distance = measured.value_or(bake::CageSettings().distance);
         if (!measured && !context.stopped())
-            bake.warnings.push_back({Warning::Kind::NoCage, distance});
+            bake.warnings.push_back({Remark::Kind::NoCage, distance});
     }
     bake.cage = distance;
     return Done{};
@@ -190,7 +190,7 @@ Result<PreparedBake> prepareBake(const DocumentState &model, const PackingSettin
         const QStringList alone =
             pairObjects(bake.job.low, scene.objectNames, *bake.job.high, high->state.scene.objectNames);
         if (!alone.isEmpty())
-            bake.warnings.push_back({Warning::Kind::UnpairedObjects, 0, alone});
+            bake.warnings.push_back({Remark::Kind::UnpairedObjects, 0, alone});
     }
     return bake;
 }
@@ -259,8 +259,8 @@ Result<MadePictures> bakePictures(const PictureInput &input, const BakeChoice &c
     }
     made.cage = bake->cage;
     made.warnings = std::move(bake->warnings);
-    addTexels(made.warnings, Warning::Kind::TexelsMissed, figures.missed, figures.texels);
-    addTexels(made.warnings, Warning::Kind::TexelsShared, figures.overlapped, figures.texels);
+    addTexels(made.warnings, Remark::Kind::TexelsMissed, figures.missed, figures.texels);
+    addTexels(made.warnings, Remark::Kind::TexelsShared, figures.overlapped, figures.texels);
     if (std::ranges::any_of(choice.maps, isTextureOfMaterials))
         made.textureSets = setsWith(input.model, made.fileOfMap, choice.greenDown);
     return made;

@@ -13,7 +13,7 @@ struct PreparedBake
 {
     bake::BakeJob job;
     QStringList read; //!< files of the other models
-    Warnings warnings;
+    Remarks warnings;
     std::optional<double> cage; //!< see MadePictures
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/documentstate.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "model/plain/shadedsurface.h"
 
 #include <QString>

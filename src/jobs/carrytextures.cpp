@@ -1,12 +1,12 @@
 #include "jobs/carrytextures.h"
 
+#include "jobs/carriedsurface.h"
 #include "jobs/jobtexts.h"
 #include "jobs/othermodel.h"
-#include "model/document/carriedsurface.h"
-#include "model/document/shadedscene.h"
+#include "jobs/shadedscene.h"
 #include "model/io/outputs/bakefiles.h"
 #include "model/io/outputs/fileclashes.h"
-#include "model/io/pictures/texturefiles.h"
+#include "model/pictures/texturefiles.h"
 #include "model/plain/udimtiles.h"
 #include "model/plain/uvlayout.h"
 
@@ -218,7 +218,7 @@ Result<MadePictures> carryTextures(const PictureInput &input, const std::optiona
                                  source.sameTriangles, bake::CageSettings(), choice.margin};
     const BakedTiles tiles = tilesToBake(*scene.mesh, model.low.uv, tileHeight);
     if (tiles.facesOutside > 0)
-        made.warnings.push_back({Warning::Kind::FacesWithoutPicture, double(tiles.facesOutside)});
+        made.warnings.push_back({Remark::Kind::FacesWithoutPicture, double(tiles.facesOutside)});
     const DocumentState textured = texturedModel(input.model, before.value());
     const bool ofMaterials = choice.textures.isEmpty();
     const CarryTarget target{choice.folder, choice.suffix, tiles.numbers.size() > 1, choice.format};
@@ -228,7 +228,7 @@ Result<MadePictures> carryTextures(const PictureInput &input, const std::optiona
         return Error{JobTexts::tr("there is no such picture"), plan.missing.front(), 0,
                      JobTexts::tr("Check its name")};
     if (!plan.missing.isEmpty())
-        made.warnings.push_back({Warning::Kind::MissingPictures, 0, plan.missing});
+        made.warnings.push_back({Remark::Kind::MissingPictures, 0, plan.missing});
     // Those that are not there yet overwrite nothing.
     if (const Result<Done> fine = checkOutputs(plan.existingFiles() + input.alsoWritten, kept); !fine)
         return fine.error();
@@ -259,8 +259,8 @@ Result<MadePictures> carryTextures(const PictureInput &input, const std::optiona
     made.missed = carried->figures.missed;
     made.overlapped = carried->figures.overlapped;
     addSaid(made.warnings, carried->problems);
-    addTexels(made.warnings, Warning::Kind::CarriedTexelsMissed, made.missed, made.texels);
-    addTexels(made.warnings, Warning::Kind::TexelsShared, made.overlapped, made.texels);
+    addTexels(made.warnings, Remark::Kind::CarriedTexelsMissed, made.missed, made.texels);
+    addTexels(made.warnings, Remark::Kind::TexelsShared, made.overlapped, made.texels);
     if (ofMaterials && !made.stopped && hasTextures(input.model))
         made.textureSets = carriedSets(input.model, carried->plan);
     return made;

@@ -1,7 +1,7 @@
 // The files that light maps are stored in.
 #pragma once
 
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 
 namespace autocuts::jobs {
 

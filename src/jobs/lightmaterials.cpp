@@ -2,9 +2,9 @@
 
 #include "jobs/jobtexts.h"
 #include "jobs/othermodel.h"
-#include "model/document/shadedscene.h"
+#include "jobs/shadedscene.h"
 #include "model/io/outputs/bakefiles.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 
 #include <algorithm>
 #include <memory>

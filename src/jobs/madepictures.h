@@ -1,9 +1,9 @@
 // What the jobs that make pictures have in common.
 #pragma once
 
-#include "jobs/jobwarning.h"
+#include "jobs/remark.h"
 #include "model/document/documentstate.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "model/plain/packingsettings.h"
 
 #include <map>
@@ -25,7 +25,7 @@ struct MadePictures
 {
     bool stopped = false;
     QStringList files; //!< written, in the order of their making
-    Warnings warnings;
+    Remarks warnings;
     long long texels = 0;     //!< inside of islands
     long long missed = 0;     //!< of them: nothing of the other model was found
     long long overlapped = 0; //!< of them: with several faces

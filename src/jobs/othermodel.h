@@ -1,7 +1,7 @@
 // Reads the models that a job needs besides the one whose map it works on.
 #pragma once
 
-#include "jobs/jobwarning.h"
+#include "jobs/remark.h"
 #include "model/document/documentstate.h"
 #include "model/document/result.h"
 #include "solver/base/jobcontext.h"
@@ -12,7 +12,7 @@ struct OtherModel
 {
     DocumentState state;
     QStringList files; //!< that it was read from: no output may replace them
-    Warnings warnings; //!< what a session has lost
+    Remarks warnings;  //!< what a session has lost
 };
 
 //! Reads a mesh file or a session; ends soon after a stop. \param tileHeight as in readMesh()

@@ -1,7 +1,7 @@
 // Brings UVs from another model, another UV set or another object onto a model.
 #pragma once
 
-#include "jobs/jobwarning.h"
+#include "jobs/remark.h"
 #include "jobs/transferchoice.h"
 #include "jobs/transferring.h"
 #include "solver/base/jobcontext.h"
@@ -24,7 +24,7 @@ struct TransferInput
 struct TransferOutcome
 {
     TransferredUvs made;
-    Warnings warnings;
+    Remarks warnings;
 };
 
 //! The number of the object of this name. \param path for messages

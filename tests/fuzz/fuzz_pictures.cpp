@@ -1,10 +1,10 @@
 // Fuzzes the readers of OpenEXR, Radiance HDR and TGA pictures: any bytes are refused, or give a picture
 // whose size fits; small ones are written as OpenEXR and come back the same.
 #include "fuzz/fuzzing.h"
-#include "model/io/pictures/exrpictures.h"
-#include "model/io/pictures/hdrpictures.h"
-#include "model/io/pictures/picturesize.h"
-#include "model/io/pictures/tgapictures.h"
+#include "model/pictures/exrpictures.h"
+#include "model/pictures/hdrpictures.h"
+#include "model/pictures/picturesize.h"
+#include "model/pictures/tgapictures.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>

@@ -1,7 +1,7 @@
 // The Layout menu: aligning, distributing, mirroring, turning, stacking and scattering islands.
 #pragma once
 
-#include "model/document/arrangement.h"
+#include "model/editing/arrangement.h"
 #include "views/control/session/studiocontext.h"
 
 #include "commands/setuvs.h"

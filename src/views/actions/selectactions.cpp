@@ -1,6 +1,6 @@
 #include "views/actions/selectactions.h"
 
-#include "model/document/selectiontools.h"
+#include "model/editing/selectiontools.h"
 #include "views/actions/choice.h"
 #include "views/control/figures/islandfigures.h"
 #include "views/control/jobs/mapcontroller.h"

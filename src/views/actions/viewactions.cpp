@@ -1,12 +1,12 @@
 #include "views/actions/viewactions.h"
 
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
+#include "model/pictures/picturereading.h"
 #include "views/actions/choice.h"
 #include "views/control/live/solvercontroller.h"
 #include "views/control/pictures/modelpictures.h"
 #include "views/control/session/workspace.h"
 #include "views/dialogs/previewdialog.h"
-#include "views/gl/picturereading.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 

@@ -1,7 +1,7 @@
 #include "views/canvas/madepictures.h"
 
+#include "model/pictures/picturereading.h"
 #include "views/gl/letteredpattern.h"
-#include "views/gl/picturereading.h"
 #include "views/ui/task.h"
 
 #include <QPointer>

@@ -1,7 +1,7 @@
 // Pictures of patterns that are made on another thread, once for all views.
 #pragma once
 
-#include "views/gl/pictures.h"
+#include "model/pictures/pictures.h"
 
 #include <QObject>
 #include <QString>

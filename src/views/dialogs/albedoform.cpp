@@ -1,6 +1,6 @@
 #include "views/dialogs/albedoform.h"
 
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "views/ui/colorbutton.h"
 #include "views/ui/questions.h"
 

@@ -1,7 +1,7 @@
 // The dialog for exporting a picture of the UV layout.
 #pragma once
 
-#include "model/io/layouts/uvexport.h"
+#include "model/layouts/uvexport.h"
 
 #include <QDialog>
 

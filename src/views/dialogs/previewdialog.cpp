@@ -1,7 +1,7 @@
 #include "views/dialogs/previewdialog.h"
 
 #include "model/io/files/savefile.h"
-#include "model/io/layouts/uvexport.h"
+#include "model/layouts/uvexport.h"
 #include "views/canvas/meshview.h"
 #include "views/control/files/filecontroller.h"
 #include "views/control/jobs/mapcontroller.h"

@@ -1,7 +1,7 @@
 // The dialog for scattering islands.
 #pragma once
 
-#include "model/document/arrangement.h"
+#include "model/editing/arrangement.h"
 
 #include <QDialog>
 

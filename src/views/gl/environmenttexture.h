@@ -1,7 +1,7 @@
 // The surroundings of the model in graphics memory.
 #pragma once
 
-#include "views/gl/environment.h"
+#include "model/pictures/environment.h"
 #include "views/gl/glfunctions.h"
 
 #include <QMatrix4x4>

@@ -1,8 +1,8 @@
 // The pictures of a pattern in graphics memory.
 #pragma once
 
+#include "model/pictures/pictures.h"
 #include "views/gl/glbuffer.h"
-#include "views/gl/pictures.h"
 
 #include <QOpenGLTexture>
 

@@ -1,6 +1,6 @@
 #include "views/gl/texturelayers.h"
 
-#include "model/io/pictures/texturefiles.h"
+#include "model/pictures/texturefiles.h"
 #include "model/plain/packingsettings.h"
 #include "model/plain/picture.h"
 

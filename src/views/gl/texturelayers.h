@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/texturesets.h"
-#include "views/gl/picturereading.h"
+#include "model/pictures/picturereading.h"
 
 #include <QRgb>
 

@@ -1,6 +1,6 @@
 #include "views/panels/doctorpanel.h"
 
-#include "model/io/layouts/meshdoctor.h"
+#include "model/layouts/meshdoctor.h"
 #include "views/control/jobs/mapcontroller.h"
 #include "views/control/session/workspace.h"
 #include "views/panels/controls.h"

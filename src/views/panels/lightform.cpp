@@ -1,6 +1,6 @@
 #include "views/panels/lightform.h"
 
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 #include "views/panels/controls.h"
 #include "views/panels/sliderspin.h"
 #include "views/panels/texturenaming.h"

@@ -1,8 +1,8 @@
 #include "views/panels/texturepanel.h"
 
 #include "commands/edittextures.h"
-#include "model/io/pictures/picturefiles.h"
-#include "model/io/pictures/texturenames.h"
+#include "model/pictures/picturefiles.h"
+#include "model/pictures/texturenames.h"
 #include "views/control/pictures/modelpictures.h"
 #include "views/control/session/proposedfolder.h"
 #include "views/control/session/workspace.h"

@@ -1,7 +1,7 @@
 #include "views/selecting/alongloops.h"
 
 #include "model/document/document.h"
-#include "model/document/selectiontools.h"
+#include "model/editing/selectiontools.h"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 #include "views/selecting/movableislands.h"
 
-#include "model/document/arrangement.h"
 #include "model/document/document.h"
+#include "model/editing/arrangement.h"
 #include "views/selecting/selecting.h"
 
 namespace autocuts {

@@ -1,8 +1,8 @@
 #include "views/selecting/selecting.h"
 
 #include "model/document/document.h"
-#include "model/document/selectiontools.h"
-#include "model/document/similarislands.h"
+#include "model/editing/selectiontools.h"
+#include "model/editing/similarislands.h"
 #include "model/plain/flippedtriangles.h"
 #include "model/plain/uvlayout.h"
 

@@ -1,6 +1,6 @@
 #include "views/tools/islandtool.h"
 
-#include "model/document/selectiontools.h"
+#include "model/editing/selectiontools.h"
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"

@@ -1,7 +1,7 @@
 #include "views/tools/pickedelements.h"
 
 #include "model/document/document.h"
-#include "model/document/selectiontools.h"
+#include "model/editing/selectiontools.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
 #include "views/tools/seampath.h"

@@ -1,7 +1,7 @@
 #include "views/tools/rectangletool.h"
 
 #include "model/document/islandcolor.h"
-#include "model/document/selectiontools.h"
+#include "model/editing/selectiontools.h"
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"

@@ -1,6 +1,6 @@
 #include "views/tools/seamtool.h"
 
-#include "model/document/selectiontools.h"
+#include "model/editing/selectiontools.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
 #include "views/control/live/solvercontroller.h"

@@ -3,7 +3,7 @@
 #include "model/io/files/meshlimits.h"
 #include "model/io/files/savefile.h"
 #include "model/io/formats/meshformats.h"
-#include "model/io/pictures/texturefiles.h"
+#include "model/pictures/texturefiles.h"
 #include "model/plain/picture.h"
 
 #include <QDir>

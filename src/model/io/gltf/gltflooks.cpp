@@ -2,7 +2,7 @@
 
 #include "model/io/formats/materiallooks.h"
 #include "model/io/gltf/gltfappender.h"
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 
 #include <QBuffer>
 #include <QFileInfo>

@@ -1,9 +1,7 @@
 #include "model/io/meshes/exportlosses.h"
 
-#include "model/io/assimp/assimpsource.h"
 #include "model/io/formats/filesource.h"
 #include "model/io/formats/materiallooks.h"
-#include "model/io/formats/meshformats.h"
 #include "model/io/meshes/formatcalls.h"
 
 #include <QCoreApplication>
@@ -26,16 +24,8 @@ bool hasPartialUv(const Scene &scene)
     return !uv.allFinite();
 }
 
-void addObjLosses(QStringList &losses, const Scene &scene)
-{
-    if (scene.uvSets.size() > 1)
-        losses
-            << LossTexts::tr("OBJ holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
-    losses << LossTexts::tr("normals and vertex colours are lost");
-}
-
 //! Pictures that the format has no place for, and those that are not there.
-QStringList pictureLosses(const Scene &scene, const QString &format)
+QStringList pictureLosses(const Scene &scene, RoughnessPictures roughness)
 {
     bool lost = false;
     QStringList missing;
@@ -49,7 +39,9 @@ QStringList pictureLosses(const Scene &scene, const QString &format)
         const bool packed = rough.component > 0 || metal.component > 0;
         const bool together = rough.picture == metal.picture && rough.component == 1 && metal.component == 2;
         if (!rough.picture.isEmpty() || !metal.picture.isEmpty())
-            lost = lost || (isGltfFormat(format) ? !together : packed || format == QLatin1String("dae"));
+            lost = lost || (roughness == RoughnessPictures::AsGltf  ? !together
+                            : roughness == RoughnessPictures::Apart ? packed
+                                                                    : true);
     }
     if (const QStringList names = MaterialLooks(scene, scene.path).missing(); !names.isEmpty())
         missing << LossTexts::tr("pictures that are not found stay names: %1")
@@ -59,17 +51,6 @@ QStringList pictureLosses(const Scene &scene, const QString &format)
             "pictures of roughness and metalness are lost: the format holds them in another "
             "way than this file");
     return missing;
-}
-
-void addPlyLosses(QStringList &losses, const Scene &scene)
-{
-    if (scene.objectNames.size() > 1)
-        losses << LossTexts::tr("PLY holds one object: all are joined");
-    if (!scene.materialNames.empty())
-        losses << LossTexts::tr("materials are lost");
-    if (scene.uvSets.size() > 1)
-        losses
-            << LossTexts::tr("PLY holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
 }
 
 QStringList shapeLosses(const SourceContents &contents)
@@ -83,13 +64,12 @@ QStringList shapeLosses(const SourceContents &contents)
 }
 
 //! What the format loses of the data besides the geometry.
-QStringList contentLosses(const SourceContents &contents, const QString &format)
+QStringList contentLosses(const SourceContents &contents, const FormatLimits &limits)
 {
-    const bool bareMesh = format == QLatin1String("obj") || format == QLatin1String("ply");
     QStringList losses;
     if (contents.shapeKeys)
         losses << LossTexts::tr("shape keys (morph targets) are lost");
-    if (bareMesh) {
+    if (!limits.nodes) {
         if (contents.animations || contents.bones)
             losses << LossTexts::tr("bones and animations are lost");
         if (contents.hierarchy)
@@ -100,7 +80,7 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
     }
     if (contents.instances)
         losses << LossTexts::tr("meshes that several nodes share become one copy per node, with its own UVs");
-    if (contents.severalAnimations && format == QLatin1String("dae"))
+    if (contents.severalAnimations && !limits.animations)
         losses << LossTexts::tr("Only the first animation is written to Collada");
     if (contents.otherAnimations)
         losses << LossTexts::tr(
@@ -114,7 +94,7 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
             "scales are passed on to all that is below: the file has another rule for some "
             "objects, whose shapes can differ");
     losses << shapeLosses(contents);
-    if (contents.bones && !contents.animations && format == QLatin1String("dae"))
+    if (contents.bones && !contents.animations && !limits.animations)
         losses << LossTexts::tr("some programs show a Collada model without animations in its rest pose");
     return losses;
 }
@@ -137,35 +117,36 @@ QStringList plainFbxLosses(const SourceContents &contents)
 //! \param readByAssimp the new file gets what Assimp reads of the scene's file
 QStringList lossesOf(const Scene &scene, const QString &format, bool readByAssimp)
 {
-    QStringList losses;
-    const bool isObj = format == QLatin1String("obj");
-    const bool isPly = format == QLatin1String("ply");
-    const bool isFbx = format == QLatin1String("fbx");
     const FileSource *source = sourceOf(scene);
-    const SourceContents contents = source ? source->contents : SourceContents();
     if (source && source->rewriter(format))
         return source->rewritingLosses(scene);
-    losses << (isObj || readByAssimp ? contentLosses(contents, format) : plainFbxLosses(contents));
-    if (!isPly)
-        losses << pictureLosses(scene, format);
-    if (isObj) {
-        addObjLosses(losses, scene);
-        return losses;
-    }
-    if (contents.comments)
-        losses << (isFbx ? LossTexts::tr("comments and groups of the OBJ file are lost")
-                         : LossTexts::tr("comments, groups and smoothing groups of the OBJ file are lost"));
-    if (isFbx)
-        return losses;
-    if (isPly)
-        addPlyLosses(losses, scene);
-    if (isGltfFormat(format) && scene.mesh->report.polygons > 0)
-        losses << LossTexts::tr("glTF holds triangles only: polygons are split");
-    if (scene.uvSets.size() > maxAssimpUvSets)
+    const SourceContents contents = source ? source->contents : SourceContents();
+    const FormatLimits &limits = callsOf(format).limits;
+    QStringList losses = readByAssimp || !callsOf(format).takesNodes ? contentLosses(contents, limits)
+                                                                     : plainFbxLosses(contents);
+    if (limits.materials)
+        losses << pictureLosses(scene, limits.roughness);
+    if (contents.comments && !limits.comments)
+        losses << (limits.smoothing
+                       ? LossTexts::tr("comments and groups of the OBJ file are lost")
+                       : LossTexts::tr("comments, groups and smoothing groups of the OBJ file are lost"));
+    if (scene.objectNames.size() > 1 && !limits.objects)
+        losses << LossTexts::tr("%1 holds one object: all are joined").arg(limits.name);
+    if (!scene.materialNames.empty() && !limits.materials)
+        losses << LossTexts::tr("materials are lost");
+    if (scene.uvSets.size() > 1 && limits.uvSets == 1)
+        losses << LossTexts::tr("%1 holds one UV set: only \"%2\" is written")
+                      .arg(limits.name, scene.uvSets.front().name);
+    else if (scene.uvSets.size() > limits.uvSets)
         losses << LossTexts::tr("UV sets after the eighth are lost");
-    if (hasPartialUv(scene))
+    if (!limits.normals)
+        losses << LossTexts::tr("normals and vertex colours are lost");
+    if (!limits.polygons && scene.mesh->report.polygons > 0)
+        losses << LossTexts::tr("%1 holds triangles only: polygons are split").arg(limits.name);
+    if (!limits.partialUvs && hasPartialUv(scene))
         losses << LossTexts::tr("corners without UV get the UV 0 0");
-    losses << LossTexts::tr("positions and UVs are rounded to single precision");
+    if (!limits.doubles)
+        losses << LossTexts::tr("positions and UVs are rounded to single precision");
     return losses;
 }
 

@@ -12,8 +12,11 @@
 #include "model/io/obj/objwriter.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
@@ -22,17 +25,60 @@ Result<Scene> readForeign(const QString &path, const std::atomic<bool> *stop)
     return readWithAssimp(path, stop);
 }
 
+constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
+
+FormatLimits objLimits()
+{
+    FormatLimits limits{u"OBJ"_s};
+    limits.nodes = limits.normals = false;
+    limits.smoothing = limits.partialUvs = limits.comments = limits.doubles = true;
+    limits.uvSets = 1;
+    return limits;
+}
+
+FormatLimits fbxLimits()
+{
+    FormatLimits limits{u"FBX"_s};
+    limits.smoothing = limits.partialUvs = limits.doubles = true;
+    limits.uvSets = anyNumber;
+    return limits;
+}
+
+FormatLimits gltfLimits()
+{
+    FormatLimits limits{u"glTF"_s};
+    limits.polygons = false;
+    limits.roughness = RoughnessPictures::AsGltf;
+    return limits;
+}
+
+FormatLimits colladaLimits()
+{
+    FormatLimits limits{u"Collada"_s};
+    limits.animations = false;
+    limits.roughness = RoughnessPictures::None;
+    return limits;
+}
+
+FormatLimits plyLimits()
+{
+    FormatLimits limits{u"PLY"_s};
+    limits.nodes = limits.objects = limits.materials = false;
+    limits.uvSets = 1;
+    return limits;
+}
+
 } // namespace
 
 const FormatCalls &callsOf(const QString &suffix)
 {
     static const std::vector<FormatCalls> rows{
-        {QStringLiteral("obj"), readObj, writeObj, false, filesBesideObj},
-        {QStringLiteral("fbx"), readFbx, writeNewFbx, true},
-        {QStringLiteral("glb"), readGltf, writeNewGltf, true, filesBesideGltf},
-        {QStringLiteral("gltf"), readGltf, writeNewGltf, true, filesBesideGltf},
-        {QStringLiteral("dae"), readColladaFile, writeNewCollada, true, filesBesideCollada},
-        {QStringLiteral("ply"), readForeign, writePly, true},
+        {u"obj"_s, readObj, writeObj, false, filesBesideObj, objLimits()},
+        {u"fbx"_s, readFbx, writeNewFbx, true, nullptr, fbxLimits()},
+        {u"glb"_s, readGltf, writeNewGltf, true, filesBesideGltf, gltfLimits()},
+        {u"gltf"_s, readGltf, writeNewGltf, true, filesBesideGltf, gltfLimits()},
+        {u"dae"_s, readColladaFile, writeNewCollada, true, filesBesideCollada, colladaLimits()},
+        {u"ply"_s, readForeign, writePly, true, nullptr, plyLimits()},
         {QString(), readForeign},
     };
     const auto found = std::ranges::find(rows, suffix, &FormatCalls::suffix);

@@ -1,7 +1,7 @@
 #include "model/io/outputs/bakefiles.h"
 
 #include "model/io/outputs/fileclashes.h"
-#include "model/io/pictures/texturefiles.h"
+#include "model/pictures/texturefiles.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -1,7 +1,7 @@
 #include "model/io/files/filecalls.h"
 #include "model/io/meshes/formatcalls.h"
-#include "model/io/pictures/texturefiles.h"
 #include "model/io/projects/projectfile.h"
+#include "model/pictures/texturefiles.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "commands/replay.h"
-#include "model/document/relink.h"
-#include "model/io/layouts/layoutfiles.h"
-#include "model/io/layouts/uvexport.h"
+#include "model/editing/relink.h"
 #include "model/io/projects/autosave.h"
 #include "model/io/projects/projectfile.h"
+#include "model/layouts/layoutfiles.h"
+#include "model/layouts/uvexport.h"
 #include "views/control/files/sessionsaver.h"
 #include "views/control/session/jobrunner.h"
 

@@ -1,8 +1,8 @@
 #include "views/control/files/opening.h"
 
-#include "model/io/layouts/meshdoctor.h"
 #include "model/io/meshes/meshfile.h"
 #include "model/io/projects/projectfile.h"
+#include "model/layouts/meshdoctor.h"
 #include "views/gl/meshdrawing.h"
 #include "views/ui/preferences.h"
 

@@ -4,7 +4,7 @@
 #include "commands/edituvsets.h"
 #include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
-#include "model/io/pictures/texturefiles.h"
+#include "model/pictures/texturefiles.h"
 #include "solver/overlap/overlapseparation.h"
 #include "views/control/live/solvercontroller.h"
 #include "views/control/mapjobs/mapjobs.h"

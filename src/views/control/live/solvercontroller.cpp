@@ -2,6 +2,7 @@
 
 #include "commands/changesettings.h"
 #include "commands/newmap.h"
+#include "jobs/mapremarks.h"
 #include "model/document/makesnapshot.h"
 #include "solver/packing/packmap.h"
 #include "views/control/mapjobs/mapjobs.h"
@@ -450,19 +451,18 @@ void SolverController::endPause(bool withAnyMap)
 void SolverController::tellProblems()
 {
     const unwrap::LiveMapResult &map = *mDisplay.map();
-    if (!map.unmet.empty()) {
-        Selection items;
-        const QString text = unmetText(makeSnapshot(*mWorkspace.document()), map.unmet, items);
-        Q_EMIT foundProblems(text, items);
-    } else if (!map.withinBound) {
+    jobs::Remarks problems = jobs::remarksOn(map.unmet);
+    if (problems.empty() && map.withinBound)
+        problems = jobs::remarksOnSymmetry(map.mirroredArea.value_or(1));
+    if (!problems.empty())
+        Q_EMIT foundProblems(jobs::textsOf(problems).join(QStringLiteral(". ")),
+                             itemsOf(makeSnapshot(*mWorkspace.document()), problems));
+    else if (!map.withinBound)
         Q_EMIT foundProblems(tr("The distortion of %1 is above the bound of %2: let the solver run on, allow "
                                 "more, or remove joins")
                                  .arg(fixedText(map.distortion, 4))
                                  .arg(mWorkspace.document()->solveSettings().maxDistortion, 0, 'f', 4),
                              {});
-    } else if (const QString text = asymmetryText(map.mirroredArea.value_or(1)); !text.isEmpty()) {
-        Q_EMIT foundProblems(text, {});
-    }
 }
 
 void SolverController::fail(const std::optional<QString> &message)

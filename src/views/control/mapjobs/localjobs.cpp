@@ -1,6 +1,6 @@
 #include "jobs/jobtexts.h"
-#include "model/document/edgechains.h"
-#include "model/document/uvgrid.h"
+#include "model/editing/edgechains.h"
+#include "model/editing/uvgrid.h"
 #include "model/plain/chart.h"
 #include "solver/homotopy/localsolve.h"
 #include "solver/packing/packmap.h"

@@ -1,19 +1,16 @@
 #include "views/control/mapjobs/mapjobs.h"
 
 #include "jobs/jobtexts.h"
-#include "model/plain/uvlayout.h"
+#include "jobs/packmap.h"
 #include "solver/live/worker.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/metrics/uvoverlaps.h"
-#include "solver/overlap/overlapfinder.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
-#include "solver/preference/meshsymmetry.h"
 #include "solver/unwrap/finishjob.h"
 #include "solver/unwrap/lightmapjob.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/separatejob.h"
-#include "solver/unwrap/tilepacking.h"
 #include "solver/unwrap/unwrap.h"
 #include "views/ui/numbertext.h"
 
@@ -49,48 +46,18 @@ QString stageText(const JobProgress &progress, double bound)
                : JobTexts::tr("shortening seams, %1 so far, D %2").arg(seams, distortion);
 }
 
-QString noRoom(const PackingSettings &packing)
+//! Adds what the user should know. \param done what was done, a sentence without a full stop; may be empty
+void tell(const Snapshot &snapshot, const jobs::MapRemarks &remarks, const QString &done,
+          MapJobResult &result)
 {
-    return packing.keepScale
-               ? JobTexts::tr("The islands do not fit at their size: switch off \"Keep each island's scale\" "
-                              "or use a "
-                              "smaller margin")
-               : JobTexts::tr("There is no room for the margins: use a smaller margin or a larger texture");
-}
-
-QString nothingFree()
-{
-    return JobTexts::tr(
-        "Nothing may change: all islands are locked, pinned, stacked or grouped, or outside the scope");
-}
-
-QString aboveBound(double distortion, double bound)
-{
-    return JobTexts::tr("The distortion of %1 is above the bound of %2: allow more, or remove joins")
-        .arg(fixedText(distortion, 4))
-        .arg(bound, 0, 'f', 4);
-}
-
-//! Says what the map does not obey, and what to select.
-void showUnmet(const MapInput &input, const unwrap::UnmetSteering &unmet, MapJobResult &result)
-{
-    result.problem = unmetText(input.snapshot, unmet, result.problemItems);
-}
-
-//! Says it where faces that have to stay lie on others: no job takes them apart.
-void sayHeldOverlaps(const MapInput &input, MapJobResult &result)
-{
-    const Steering &steering = *input.snapshot.steering;
-    const bool stacks =
-        std::ranges::any_of(steering.faceFlags, [](const IslandFlags &f) { return f.stack != 0; });
-    const bool holds =
-        std::ranges::any_of(steering.pins, &Pin::hard) ||
-        std::ranges::any_of(steering.faceFlags, [](const IslandFlags &f) { return f.locked != 0; });
-    if (!result.problem.isEmpty() || result.uv.rows() == 0 || stacks || !holds ||
-        overlap::findOverlaps(soupUv(input.mesh(), result.uv)).pairs.empty())
+    QStringList sentences = jobs::textsOf(remarks.notes);
+    if (!done.isEmpty())
+        sentences.prepend(done);
+    result.message = sentences.join(u". "_s);
+    if (remarks.problems.empty())
         return;
-    result.problem =
-        JobTexts::tr("%1. Pins or locks hold faces on each other: remove some of them").arg(result.message);
+    result.problem = (sentences + jobs::textsOf(remarks.problems)).join(u". "_s);
+    result.problemItems = itemsOf(snapshot, remarks.problems);
 }
 
 } // namespace
@@ -115,41 +82,30 @@ std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &
     return std::make_shared<const JobScope>(std::move(scope));
 }
 
-QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, Selection &selection)
+Selection itemsOf(const Snapshot &snapshot, const jobs::Remarks &remarks)
 {
-    QStringList items;
-    if (!unmet.rectangles.empty()) {
-        items << JobTexts::tr("rectangles: %1").arg(unmet.rectangles.size());
-        selection.mode = SelectionMode::Faces;
-        for (const int i : unmet.rectangles) {
-            for (const int corner : snapshot.steering->rectangles[i].soupCorners)
-                selection.faces << snapshot.mesh->triangleFace[corner / 3];
+    using Kind = jobs::Remark::Kind;
+    Selection selection;
+    for (const jobs::Remark &remark : remarks) {
+        const QList<int> items(remark.items.begin(), remark.items.end());
+        if (remark.kind == Kind::UnmetPins) {
+            selection.mode = SelectionMode::Vertices;
+            selection.corners = items;
+        } else if (remark.kind == Kind::UnmetRectangles) {
+            selection.mode = SelectionMode::Faces;
+            for (const int i : items) {
+                for (const int corner : snapshot.steering->rectangles[i].soupCorners)
+                    selection.faces << snapshot.mesh->triangleFace[corner / 3];
+            }
+        } else if (!items.isEmpty()) {
+            selection.mode = SelectionMode::Edges;
+            selection.edges = items;
         }
-    }
-    if (!unmet.missingSeams.empty()) {
-        items << JobTexts::tr("seams that are not given and were needed: %1").arg(unmet.missingSeams.size());
-        selection.mode = SelectionMode::Edges;
-        selection.edges = QList<int>(unmet.missingSeams.begin(), unmet.missingSeams.end());
-    }
-    if (!unmet.joins.empty()) {
-        items << JobTexts::tr("joined edges: %1").arg(unmet.joins.size());
-        selection.mode = SelectionMode::Edges;
-        selection.edges = QList<int>(unmet.joins.begin(), unmet.joins.end());
-    }
-    if (!unmet.pins.empty()) {
-        items << JobTexts::tr("hard pins: %1").arg(unmet.pins.size());
-        selection.mode = SelectionMode::Vertices;
-        selection.corners = QList<int>(unmet.pins.begin(), unmet.pins.end());
-    }
-    if (!unmet.bent.empty()) {
-        items << JobTexts::tr("edges kept straight, which are bent: %1").arg(unmet.bent.size());
-        selection.mode = SelectionMode::Edges;
-        selection.edges = QList<int>(unmet.bent.begin(), unmet.bent.end());
+        if (!items.isEmpty())
+            break; // the most important ones
     }
     selection.normalize(*snapshot.mesh);
-    return JobTexts::tr(
-               "Not obeyed, because something else contradicts it or it would turn triangles over: %1")
-        .arg(items.join(u", "_s));
+    return selection;
 }
 
 void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobResult &result)
@@ -181,45 +137,6 @@ void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobRes
             .arg(result.problemItems.faces.size());
 }
 
-//! Says of a map of a stopped job whether it was straightened. \param straight see unwrap::UnwrapResult
-void sayStraight(bool stopped, const std::optional<bool> &straight, MapJobResult &result)
-{
-    if (!stopped || !straight || result.message.isEmpty())
-        return;
-    result.message += *straight
-                          ? JobTexts::tr(". Stopped early: this map is straightened")
-                          : JobTexts::tr(". Stopped early: this map is not, or not wholly, straightened");
-}
-
-QString asymmetryText(double mirrored)
-{
-    constexpr double nearlyAll = 0.999;
-    if (mirrored == 0)
-        return JobTexts::tr("The mesh is not symmetric: nor are the cuts");
-    return mirrored >= nearlyAll
-               ? QString()
-               : JobTexts::tr("%1 % of the surface have no mirror image: their cuts are free")
-                     .arg(100 * (1 - mirrored), 0, 'f', 1);
-}
-
-//! Says how symmetric the seams are, and what has no mirror image.
-//! \param asked by the user; otherwise only where the seams are symmetric
-void saySymmetry(const unwrap::UnwrapResult &made, const MeshData &mesh, bool asked, MapJobResult &result)
-{
-    const auto symmetry = preference::findSymmetry(mesh);
-    if (symmetry)
-        result.message += JobTexts::tr(", %1 % of the seams symmetric").arg(100 * *made.symmetry, 0, 'f', 1);
-    if (!asked)
-        return;
-    if (made.symmetryMissed) {
-        result.problem =
-            result.message + u". "_s + JobTexts::tr("No symmetric cuts met the bound: the cuts are free");
-        return;
-    }
-    if (const QString text = asymmetryText(symmetry ? symmetry->matchedArea : 0); !text.isEmpty())
-        result.problem = result.message + u". "_s + text;
-}
-
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
                        std::function<void(const unwrap::UnwrapResult &)> better, JobControl &control)
 {
@@ -232,43 +149,25 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         unwrap::unwrapMesh(input.snapshot, options, contextOf(control, options.maxDistortion));
     MapJobResult result;
     result.edit = input.snapshot.scope ? UvEdit::UnwrapSelection : UvEdit::Unwrap;
-    if (made.nothingFree) {
-        result.problem = nothingFree();
-        return result;
-    }
     const bool hadMap = input.snapshot.uv != nullptr;
-    if (made.stopped && (made.onlyPatches || (hadMap && !made.withinBound))) {
+    if (made.stopped && !made.nothingFree && (made.onlyPatches || (hadMap && !made.withinBound))) {
         result.problem = hadMap ? JobTexts::tr("Unwrapping was cancelled: the map stays as it was")
                                 : JobTexts::tr("Unwrapping was cancelled before there was a map");
         return result;
     }
-    result.uv = made.uv;
-    result.flags = made.flags;
-    if (input.snapshot.settings.surface == SurfaceKind::Auto)
-        result.hardShare = made.hardShare;
-    const double distortion =
-        metrics::measureShapes(input.mesh(), made.uv, input.snapshot.tileHeight).tileDirichlet;
-    result.message =
-        made.nothingGained ? JobTexts::tr("Unwrapped: no better map was found, it stays as it was")
-        : made.stopped     ? JobTexts::tr("Unwrapping ended early, with the best map so far: distortion %1")
-                             .arg(fixedText(distortion, 4))
-                       : JobTexts::tr("Unwrapped: distortion %1").arg(fixedText(distortion, 4));
-    if (made.upright)
-        result.message += JobTexts::tr(", islands upright");
-    sayStraight(made.stopped, made.straight, result);
-    if (!made.packed)
-        result.problem = noRoom(input.packing);
-    else if (made.madeSmaller)
-        result.problem =
-            JobTexts::tr("%1. There is no room for the islands at their scale: all of a tile are smaller now")
-                .arg(result.message);
-    else if (!made.unmet.empty())
-        showUnmet(input, made.unmet, result);
-    else if (!made.withinBound)
-        result.problem = aboveBound(distortion, options.maxDistortion);
-    else if (made.symmetry)
-        saySymmetry(made, input.mesh(), input.snapshot.settings.symmetry == SymmetryMode::On, result);
-    sayHeldOverlaps(input, result);
+    QString done;
+    if (!made.nothingFree) {
+        result.uv = made.uv;
+        result.flags = made.flags;
+        if (input.snapshot.settings.surface == SurfaceKind::Auto)
+            result.hardShare = made.hardShare;
+        const double distortion =
+            metrics::measureShapes(input.mesh(), made.uv, input.snapshot.tileHeight).tileDirichlet;
+        done = (made.stopped ? JobTexts::tr("Unwrapping ended early, with the best map so far: distortion %1")
+                             : JobTexts::tr("Unwrapped: distortion %1"))
+                   .arg(fixedText(distortion, 4));
+    }
+    tell(input.snapshot, jobs::remarksOn(input.snapshot, options, made), done, result);
     return result;
 }
 
@@ -292,38 +191,12 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
     finish.packing = packing::tileOptions(input.packing);
     const unwrap::FinishResult made = unwrap::finishMap(finish, contextOf(control, finish.maxDistortion));
     result.edit = input.snapshot.scope ? UvEdit::FinishSelection : UvEdit::Finish;
-    if (made.nothingFree) {
-        result.problem = nothingFree();
-        return result;
+    QString done;
+    if (!made.nothingFree && made.uv.rows() > 0) {
+        result.uv = made.uv;
+        done = JobTexts::tr("Finished: distortion %1").arg(fixedText(made.distortion, 4));
     }
-    result.uv = made.uv;
-    if (made.uv.rows() == 0)
-        result.problem = JobTexts::tr("Finishing was cancelled: the map stays as it was");
-    else if (made.noRoom)
-        result.problem = noRoom(input.packing);
-    else if (!made.unmet.empty())
-        showUnmet(input, made.unmet, result);
-    else if (made.heldTogether)
-        result.problem =
-            JobTexts::tr("The map still covers itself: joined edges hold it together there. Clear "
-                         "some joins and finish again");
-    else if (!made.withinBound && input.snapshot.settings.seams != SeamMode::Only)
-        result.problem = aboveBound(made.distortion, finish.maxDistortion);
-    else if (made.nothingGained)
-        result.message = JobTexts::tr("Finished: no better map was found, it stays as it was");
-    else
-        result.message = JobTexts::tr("Finished: distortion %1").arg(fixedText(made.distortion, 4));
-    if (!result.message.isEmpty() && made.madeSmaller)
-        result.problem =
-            JobTexts::tr("%1. There is no room for the islands at their scale: all of a tile are smaller now")
-                .arg(result.message);
-    else if (!result.message.isEmpty() && made.notReplaced > 0)
-        result.message = JobTexts::tr("%1. Islands that stay as they were, because there is no room for "
-                                      "better ones: %2")
-                             .arg(result.message)
-                             .arg(made.notReplaced);
-    sayStraight(control.stop(), made.straight, result);
-    sayHeldOverlaps(input, result);
+    tell(input.snapshot, jobs::remarksOn(finish, made, control.stop()), done, result);
     return result;
 }
 
@@ -339,51 +212,6 @@ MapJobResult priceJob(const MapInput &input, JobControl &control)
         result.message = JobTexts::tr("Seams priced: %1").arg(result.prices->seams.size());
     return result;
 }
-
-namespace {
-
-//! Packs over tiles, by density or into those in use.
-MapJobResult distribute(const MapInput &input, const ChartMap &charts, const unwrap::PackJob &pack,
-                        const PackTarget &target, JobControl &control)
-{
-    using Outcome = unwrap::TilePackingResult::Outcome;
-    unwrap::TilePacking tiles;
-    tiles.firstTile = input.packing.udimTile;
-    if (target.fillTiles)
-        tiles = unwrap::fillingTiles(input.mesh(), charts, pack, input.uv);
-    if (target.density > 0)
-        tiles.density = target.density;
-    unwrap::TilePackingResult packed =
-        unwrap::packOverTiles(input.mesh(), charts, pack, tiles, input.uv, contextOf(control));
-    MapJobResult result;
-    switch (packed.outcome) {
-    case Outcome::Done:
-        break;
-    case Outcome::Stopped:
-        result.problem = JobTexts::tr("Packing was cancelled: the map stays as it was");
-        return result;
-    case Outcome::NoRoom:
-        result.problem = noRoom(input.packing);
-        return result;
-    case Outcome::TooMany:
-        result.problem = JobTexts::tr("The islands need more UDIM tiles than there are: choose a lower "
-                                      "density or a larger texture");
-        return result;
-    }
-    QStringList numbers;
-    for (const int tile : packed.tiles)
-        numbers << QString::number(tile);
-    result.uv = std::move(packed.uv);
-    result.message =
-        JobTexts::tr("Islands packed: %1, into the tiles %2").arg(packed.packed).arg(numbers.join(u", "_s));
-    if (packed.tooLarge > 0)
-        result.problem = JobTexts::tr("%1. Larger than a tile at this density, and made smaller to fit: %2")
-                             .arg(result.message)
-                             .arg(packed.tooLarge);
-    return result;
-}
-
-} // namespace
 
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control)
 {
@@ -407,61 +235,28 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
         result.problem = JobTexts::tr("Nothing may move: the islands are locked or pinned");
         return result;
     }
-    if (target.density > 0 || target.fillTiles)
-        return distribute(input, charts, pack, target, control);
     if (target.box)
         pack.packInto(*target.box);
-    if (!target.groups.empty()) {
-        pack.tiles = tilesOfGroups(target.groups, charts, input.packing.udimTile);
-        if (pack.tiles.empty()) {
-            result.problem = JobTexts::tr("There are more of them than UDIM tiles");
-            return result;
-        }
-    }
-    UvMatrix uv = input.uv;
-    if (unwrap::packCharts(mesh, charts, pack, uv, contextOf(control))) {
-        result.uv = std::move(uv);
-        result.message = JobTexts::tr("Islands packed: %1").arg(count);
-    } else {
-        result.problem = control.stop() ? JobTexts::tr("Packing was cancelled: the map stays as it was")
-                         : target.box
-                             ? JobTexts::tr("There is no room in the rectangle: draw a larger one or use "
-                                            "a smaller margin")
-                             : noRoom(input.packing);
-    }
+    jobs::PackedMap packed =
+        jobs::packMap(mesh, charts, std::move(pack),
+                      {target.groups, target.density, target.fillTiles, input.packing.udimTile}, input.uv,
+                      contextOf(control));
+    result.uv = std::move(packed.uv);
+    tell(input.snapshot, packed.remarks, {}, result);
+    if (target.box && result.uv.rows() == 0 && !control.stop())
+        result.problem = JobTexts::tr("There is no room in the rectangle: draw a larger one or use a smaller "
+                                      "margin");
     return result;
 }
 
 namespace {
 
-MapJobResult separated(const MapInput &input, const unwrap::SeparateResult &made)
+MapJobResult separated(const MapInput &input, bool keepsScale, const unwrap::SeparateResult &made)
 {
-    using Outcome = unwrap::SeparateResult::Outcome;
     MapJobResult result;
     result.edit = UvEdit::Separate;
-    switch (made.outcome) {
-    case Outcome::Done:
-        result.uv = made.uv;
-        result.message = JobTexts::tr("Separated, edges cut: %1").arg(made.newSeams);
-        if (made.unresolvedPairs > 0)
-            result.problem =
-                JobTexts::tr("Overlaps inside single polygons or across joined edges, which stay whole: %1")
-                    .arg(made.unresolvedPairs);
-        sayHeldOverlaps(input, result);
-        break;
-    case Outcome::NoOverlaps:
-        result.message = JobTexts::tr("There are no overlaps: the map stays as it is");
-        break;
-    case Outcome::Stopped:
-        result.problem = JobTexts::tr("Separating was cancelled: the map stays as it was");
-        break;
-    case Outcome::NoRoom:
-        result.problem = noRoom(input.packing);
-        break;
-    case Outcome::NothingFree:
-        result.problem = nothingFree();
-        break;
-    }
+    result.uv = made.outcome == unwrap::SeparateResult::Outcome::Done ? made.uv : UvMatrix();
+    tell(input.snapshot, jobs::remarksOn(input.snapshot, keepsScale, made), {}, result);
     return result;
 }
 
@@ -471,18 +266,15 @@ MapJobResult separateJob(const MapInput &input, overlap::SeparationMethod method
 {
     const unwrap::PackJob pack = unwrap::steeredPackJob(input.snapshot, packing::tileOptions(input.packing));
     // With "keep scale" in the settings the islands keep their sizes.
-    return separated(input, unwrap::separateMap(input.snapshot, pack, contextOf(control), method));
+    return separated(input, input.packing.keepScale,
+                     unwrap::separateMap(input.snapshot, pack, contextOf(control), method));
 }
 
 MapJobResult lightmapJob(const MapInput &input, JobControl &control)
 {
     packing::PackOptions options = packing::tileOptions(input.packing);
     options.keepScale = false;
-    const unwrap::SeparateResult made = unwrap::makeLightmap(input.snapshot, options, contextOf(control));
-    MapJobResult result = separated(input, made);
-    if (made.outcome == unwrap::SeparateResult::Outcome::Done)
-        result.message = JobTexts::tr("Map for lightmaps, edges cut: %1").arg(made.newSeams);
-    return result;
+    return separated(input, false, unwrap::makeLightmap(input.snapshot, options, contextOf(control)));
 }
 
 MapJobResult equalizeJob(const MapInput &input, JobControl &control)

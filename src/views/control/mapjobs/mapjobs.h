@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands/editmapseams.h"
+#include "jobs/remark.h"
 #include "model/document/constraints.h"
 #include "model/document/islands.h"
 #include "model/document/scenegroups.h"
@@ -11,7 +12,6 @@
 #include "model/plain/snapshot.h"
 #include "solver/base/jobcontext.h"
 #include "solver/unwrap/seamprices.h"
-#include "solver/unwrap/unmetsteering.h"
 #include "solver/unwrap/unwrapquality.h"
 #include "views/control/session/jobrunner.h"
 
@@ -110,11 +110,8 @@ JobContext contextOf(JobControl &control, double bound = std::numeric_limits<dou
 std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &faces, bool attached,
                                         bool chosen = true);
 
-//! Says what a map does not obey. \param items what to select
-QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, Selection &items);
-
-//! Says what of a mesh has no mirror image; empty when all of it has. \param mirrored share of the area
-QString asymmetryText(double mirrored);
+//! What to select, of what remarks are about.
+Selection itemsOf(const Snapshot &snapshot, const jobs::Remarks &remarks);
 
 //! Says which faces of the new map overlap that did not before. \pre the result has a map
 void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobResult &result);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "jobs/bakechoice.h"
+#include "model/pictures/pictures.h"
 #include "model/plain/types.h"
-#include "views/gl/pictures.h"
 #include "views/ui/task.h"
 
 #include <QObject>

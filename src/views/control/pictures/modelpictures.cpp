@@ -1,8 +1,8 @@
 #include "views/control/pictures/modelpictures.h"
 
-#include "model/io/pictures/texturefiles.h"
+#include "model/pictures/picturereading.h"
+#include "model/pictures/texturefiles.h"
 #include "views/control/session/workspace.h"
-#include "views/gl/picturereading.h"
 #include "views/gl/texturelayers.h"
 
 #include <QDir>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/document/texturesets.h"
+#include "model/pictures/pictures.h"
 #include "views/control/pictures/scenelight.h"
-#include "views/gl/pictures.h"
 #include "views/state/viewstate.h"
 #include "views/ui/task.h"
 

@@ -1,6 +1,6 @@
 #include "views/control/pictures/scenelight.h"
 
-#include "model/io/pictures/picturefiles.h"
+#include "model/pictures/picturefiles.h"
 
 namespace autocuts {
 

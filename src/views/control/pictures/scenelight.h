@@ -1,7 +1,7 @@
 // The surroundings in whose light texture sets are shown.
 #pragma once
 
-#include "views/gl/environment.h"
+#include "model/pictures/environment.h"
 #include "views/state/viewstate.h"
 #include "views/ui/task.h"
 
