@@ -6352,8 +6352,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Texturen, die nicht gelesen werden können: %1</translation>
     </message>
     <message>
-        <source>the history does not know for which map the textures are</source>
-        <translation>der Verlauf weiß nicht, zu welcher UV-Map die Texturen gehören</translation>
+        <source>cannot tell which UV map these textures were made for</source>
+        <translation>es lässt sich nicht feststellen, für welche UV-Map diese Texturen gemacht wurden</translation>
     </message>
     <message>
         <source>Choose the file or the UV set that has it</source>
@@ -6525,8 +6525,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Seinen Namen prüfen</translation>
     </message>
     <message>
-        <source>as far as the history knows, the textures fit this map already</source>
-        <translation>soweit der Verlauf weiß, passen die Texturen schon zu dieser UV-Map</translation>
+        <source>the textures seem to have been made for this UV map</source>
+        <translation>die Texturen wurden anscheinend für diese UV-Map gemacht</translation>
     </message>
     <message>
         <source>the textures fit this map already</source>
