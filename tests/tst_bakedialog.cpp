@@ -1,5 +1,6 @@
 // Baking in the studio: the dialog by mouse and keys, the job, its files, Cancel, and a solve that runs.
 #include "jobs/bakechoice.h"
+#include "jobs/lightchoice.h"
 #include "model/pictures/picturefiles.h"
 #include "support/bakesession.h"
 #include "support/damagedsessions.h"
@@ -17,6 +18,8 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include <cmath>
+
 namespace tst_bakedialog {
 
 using namespace autocuts;
@@ -31,6 +34,8 @@ class TestBakeDialog : public QObject
 private Q_SLOTS:
     void picturesAreBaked();
     void everyChoiceIsKept();
+    void valuesThatDoNotExistAreNotTaken_data();
+    void valuesThatDoNotExistAreNotTaken();
     void theCageIsProposed();
     void theProposalIsBaked();
     void cagesComeFromFiles();
@@ -139,6 +144,38 @@ void TestBakeDialog::everyChoiceIsKept()
 }
 
 //! From the distance of both models, on another thread, as soon as there is a detailed one.
+void TestBakeDialog::valuesThatDoNotExistAreNotTaken_data()
+{
+    QTest::addColumn<QCborValue>("stored");
+    QTest::newRow("above") << QCborValue(4);
+    QTest::newRow("far above") << QCborValue(qint64(1) << 32);
+    QTest::newRow("below") << QCborValue(-1);
+    QTest::newRow("no whole number") << QCborValue(1.5);
+    QTest::newRow("no number") << QCborValue(std::nan(""));
+    QTest::newRow("text") << QCborValue(u"1"_s);
+    QTest::newRow("nothing") << QCborValue();
+}
+
+//! A session may come from a newer version, or be damaged.
+void TestBakeDialog::valuesThatDoNotExistAreNotTaken()
+{
+    QFETCH(QCborValue, stored);
+    QCborMap map = jobs::BakeChoice().toCbor();
+    map["direction"_L1] = stored;
+    map["colors"_L1] = stored;
+    QVERIFY(jobs::BakeChoice::fromCbor(map) == jobs::BakeChoice());
+    QCborMap light = jobs::LightChoice().toCbor();
+    light["values"_L1] = stored;
+    QVERIFY(jobs::LightChoice::fromCbor(light) == jobs::LightChoice());
+    // The last of each is taken.
+    map["direction"_L1] = static_cast<int>(bake::CageDirection::Corrected);
+    map["colors"_L1] = static_cast<int>(ColorSource::Materials);
+    const jobs::BakeChoice last = jobs::BakeChoice::fromCbor(map);
+    QVERIFY(last.direction == bake::CageDirection::Corrected && last.colors == ColorSource::Materials);
+    light["values"_L1] = static_cast<int>(bake::LightValue::Lit);
+    QVERIFY(jobs::LightChoice::fromCbor(light).values == bake::LightValue::Lit);
+}
+
 void TestBakeDialog::theCageIsProposed()
 {
     BakeSession session;

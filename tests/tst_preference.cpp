@@ -1,6 +1,7 @@
 // Where seams should rather run: along creases, in hidden places, symmetrically; and no chart too small.
 #include "model/document/cborvalues.h"
 #include "model/io/meshes/meshfile.h"
+#include "model/plain/edgeangles.h"
 #include "model/samples/samples.h"
 #include "solver/base/random.h"
 #include "solver/preference/creases.h"
@@ -121,12 +122,12 @@ class TestPreference : public QObject
 private Q_SLOTS:
     void anglesAreThoseOfThePolygons()
     {
-        for (const double angle : dihedralAngles(*test::quadCube()))
+        for (const double angle : edgeAngles(*test::quadCube()))
             QVERIFY(angle == 0 || std::abs(angle - std::numbers::pi / 2) < 1e-12);
         // A quad that is bent along its diagonal, beside another one.
         const MeshPtr bent = test::polygonMesh(
             {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}, {2, 0, 0}, {2, 1, 1}}, {{0, 1, 2, 3}, {1, 4, 5, 2}});
-        const std::vector<double> angles = dihedralAngles(*bent);
+        const std::vector<double> angles = edgeAngles(*bent);
         for (std::size_t e = 0; e < angles.size(); ++e)
             QCOMPARE(angles[e] == 0, bent->edgePairs[e].diagonal);
     }
@@ -194,7 +195,7 @@ private Q_SLOTS:
         const Snapshot preferred = SeamPreference().applied(snapshot);
         QVERIFY(preferred.aligned);
         QCOMPARE(*preferred.aligned, parts.hard);
-        const std::vector<double> angles = dihedralAngles(*snapshot.mesh);
+        const std::vector<double> angles = edgeAngles(*snapshot.mesh);
         for (std::size_t e = 0; e < angles.size(); ++e) {
             const EdgePair &pair = snapshot.mesh->edgePairs[e];
             const bool isOnBox = snapshot.mesh->component[pair.triangle[0]] == 1;
@@ -213,7 +214,7 @@ private Q_SLOTS:
         snapshot.mesh = sample("bumpycube");
         snapshot.editSteering().pairWeight.assign(snapshot.mesh->cornerPairCount(), 3.0);
         SeamPreference preference;
-        const std::vector<double> angles = dihedralAngles(*snapshot.mesh);
+        const std::vector<double> angles = edgeAngles(*snapshot.mesh);
         const Snapshot weighted = preference.applied(snapshot);
         for (std::size_t e = 0; e < angles.size(); ++e) {
             const double expected = angles[e] > 1.2 ? 3 * 0.2 : 3;
@@ -256,7 +257,7 @@ private Q_SLOTS:
             torn += inSheet;
             if (inSheet)
                 QCOMPARE(preferred.edgeWeight(e), 1.5);
-            else if (!pair.diagonal && std::abs(dihedralAngles(*snapshot.mesh)[e]) > 0.1)
+            else if (!pair.diagonal && std::abs(edgeAngles(*snapshot.mesh)[e]) > 0.1)
                 QCOMPARE(preferred.edgeWeight(e), 1.0);
         }
         QCOMPARE(torn, 12);
@@ -464,10 +465,10 @@ private Q_SLOTS:
                          [&](const Vec3 &p) { return p * (1 + noise * random.uniform()); });
         };
         const MeshPtr rough = noisy(0.04), smooth = noisy(0);
-        QVERIFY(isRough(*rough, dihedralAngles(*rough)));
-        QVERIFY(!isRough(*smooth, dihedralAngles(*smooth)));
+        QVERIFY(isRough(*rough, edgeAngles(*rough)));
+        QVERIFY(!isRough(*smooth, edgeAngles(*smooth)));
         const MeshPtr few = test::sphere(12, 16); // has larger angles, for want of triangles
-        QVERIFY(!isRough(*few, dihedralAngles(*few)));
+        QVERIFY(!isRough(*few, edgeAngles(*few)));
         // Small cubes beside: of a smooth model they are parts, of a rough one debris.
         for (const MeshPtr &mesh : {rough, smooth}) {
             Snapshot snapshot;

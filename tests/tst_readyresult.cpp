@@ -92,7 +92,7 @@ private Q_SLOTS:
     void theBestIsKept()
     {
         ReadyResult ready(mRanking, placed, makes(candidate(90, 4.01, true)));
-        // However bad: patches are for want of anything else.
+        // However bad: flat patches are the fallback.
         QCOMPARE(ready.take().seamLength, 90.0);
         QVERIFY(ready.isAsGoodAs(candidate(90, 4.01)));
         QVERIFY(takesUp(ready, candidate(30, 4.2)));

@@ -364,7 +364,7 @@ void TestRelink::facesAdded()
     QCOMPARE(relinked.report.faces, (Carried{16, 0}));
     QCOMPARE(relinked.report.newFaces.size(), 1);
     QCOMPARE(relinked.report.lines(),
-             QStringList{u"1 faces are new and lie flat beside the map: unwrap them"_s});
+             QStringList{u"new faces that lie flat beside the map and are still to be unwrapped: 1"_s});
     const UvMatrix &uv = relinked.state.scene.uvSets[0].uv;
     QVERIFY(uv.bottomRows(3).col(0).minCoeff() > uv.topRows(64).col(0).maxCoeff());
     QVERIFY(uv.topRows(64) == state.scene.uvSets[0].uv);
@@ -391,8 +391,8 @@ void TestRelink::changedFacesTakeTheirUvsByPosition()
     QCOMPARE(relinked.report.placedFaces, 5);
     const QStringList lines = relinked.report.lines();
     QCOMPARE(lines[0], u"2 of 16 faces are not in the new model"_s);
-    QCOMPARE(lines[1], u"5 faces are new and have the UVs of the old model's nearest points"_s);
-    QVERIFY(lines.filter(u"no UVs"_s).isEmpty());
+    QCOMPARE(lines[1], u"new faces with the UVs of the old model's nearest points: 5"_s);
+    QVERIFY(lines.filter(u"without UVs"_s).isEmpty());
     // Every corner at an old vertex has one of its UVs, in all sets, and the others lie between them.
     for (std::size_t set = 0; set < state.scene.uvSets.size(); ++set) {
         const UvMatrix &before = state.scene.uvSets[set].uv, &after = relinked.state.scene.uvSets[set].uv;

@@ -1,5 +1,6 @@
 // Flat faces, and what unrolls without stretch, keep their shape: how regions are found, and what an unwrap
 // makes of them.
+#include "model/plain/edgeangles.h"
 #include "solver/preference/creases.h"
 #include "solver/rigid/stiffregions.h"
 #include "solver/rigid/unrolling.h"
@@ -25,7 +26,7 @@ namespace {
 
 std::shared_ptr<const RigidRegions> regionsOf(const test::MeshPtr &mesh)
 {
-    return rigid::rigidRegions(mesh, preference::creases(*mesh, preference::dihedralAngles(*mesh)));
+    return rigid::rigidRegions(mesh, preference::creases(*mesh, edgeAngles(*mesh)));
 }
 
 int islands(const MeshData &mesh, const CutFlags &cut)

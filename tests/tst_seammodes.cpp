@@ -1,4 +1,4 @@
-// Whose seams a map gets: the search's, the user's and more, or only the user's.
+// Which edges become seams: any, the user's and more, or only the user's.
 #include "solver/metrics/uvmetrics.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"

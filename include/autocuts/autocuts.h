@@ -113,22 +113,22 @@ typedef enum autocuts_symmetry {
     AUTOCUTS_SYMMETRY_AUTO = 2 /* where they hardly cost more */
 } autocuts_symmetry;
 
-/* What connected parts that are copies of each other get. */
+/* How connected parts that are copies of each other are treated. */
 typedef enum autocuts_alike {
     AUTOCUTS_ALIKE_OFF = 0,
     AUTOCUTS_ALIKE_SAME_CUTS = 1,
     AUTOCUTS_ALIKE_STACK = 2 /* the same cuts, and their islands lie on each other */
 } autocuts_alike;
 
-/* Whose seams a map gets: those of the search; the given ones and what the bound needs besides; the given
- * ones only. */
+/* Which edges may become seams: any; the given seams stay, and those are added that the bound needs; the
+ * given seams and no others. */
 typedef enum autocuts_seams {
     AUTOCUTS_SEAMS_FREE = 0,
     AUTOCUTS_SEAMS_KEEP = 1,
     AUTOCUTS_SEAMS_ONLY = 2
 } autocuts_seams;
 
-/* What the given seams are, to be added up. */
+/* Which edges are given seams: values to be added up. */
 typedef enum autocuts_seam_source {
     AUTOCUTS_SEAMS_FROM_EDGES = 1,     /* AUTOCUTS_EDGE_SEAM of the mesh */
     AUTOCUTS_SEAMS_FROM_UVS = 2,       /* the seams of the map that is there */

@@ -2797,7 +2797,7 @@
         <translation>%1 von %2 Flächen sind nicht im neuen Modell: ihre UVs gehen verloren</translation>
     </message>
     <message>
-        <source>%1 faces are new and have no UVs</source>
+        <source>new faces without UVs: %1</source>
         <translation>neue Flächen ohne UVs: %1</translation>
     </message>
     <message>
@@ -2829,7 +2829,7 @@
         <translation>%1 von %2 Flächen sind nicht im neuen Modell</translation>
     </message>
     <message>
-        <source>%1 faces are new and have the UVs of the old model&apos;s nearest points</source>
+        <source>new faces with the UVs of the old model&apos;s nearest points: %1</source>
         <translation>neue Flächen mit den UVs der nächsten Punkte des alten Modells: %1</translation>
     </message>
     <message>
@@ -2841,8 +2841,8 @@
         <translation>beim neuen Modell zeigt eine andere Achse nach oben: Es wurde zum Vergleich gedreht</translation>
     </message>
     <message>
-        <source>%1 faces are new and lie flat beside the map: unwrap them</source>
-        <translation>%1 Flächen sind neu und liegen flach neben der Karte: Wickeln Sie sie ab</translation>
+        <source>new faces that lie flat beside the map and are still to be unwrapped: %1</source>
+        <translation>neue Flächen, die flach neben der UV-Map liegen und noch abgewickelt werden müssen: %1</translation>
     </message>
 </context>
 <context>
@@ -2898,8 +2898,8 @@
         <translation>Wählen Sie eine Quelle, die UVs hat</translation>
     </message>
     <message>
-        <source>the polygons are not the same: %1 faces in the source, %2 in the model</source>
-        <translation>die Polygone sind nicht gleich: %1 Flächen in der Quelle, %2 im Modell</translation>
+        <source>the polygons are not the same, faces of the source: %1, of the model: %2</source>
+        <translation>die Polygone sind nicht gleich, Flächen der Quelle: %1, des Modells: %2</translation>
     </message>
     <message>
         <source>Match by position</source>
@@ -4850,9 +4850,12 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>JSON report (*.json)</source>
         <translation>JSON-Bericht (*.json)</translation>
     </message>
-    <message>
-        <source>Replace the pictures of %1 tiles?</source>
-        <translation>Die Bilder von %1 Kacheln ersetzen?</translation>
+    <message numerus="yes">
+        <source>Replace the pictures of %n tiles?</source>
+        <translation>
+            <numerusform>Die Bilder von %n Kachel ersetzen?</numerusform>
+            <numerusform>Die Bilder von %n Kacheln ersetzen?</numerusform>
+        </translation>
     </message>
     <message>
         <source>Their content is lost.</source>
@@ -6352,8 +6355,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Texturen, die nicht gelesen werden können: %1</translation>
     </message>
     <message>
-        <source>the history does not know for which map the textures are</source>
-        <translation>der Verlauf weiß nicht, zu welcher UV-Map die Texturen gehören</translation>
+        <source>cannot tell which UV map these textures were made for</source>
+        <translation>es lässt sich nicht feststellen, für welche UV-Map diese Texturen gemacht wurden</translation>
     </message>
     <message>
         <source>Choose the file or the UV set that has it</source>
@@ -6525,8 +6528,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Seinen Namen prüfen</translation>
     </message>
     <message>
-        <source>as far as the history knows, the textures fit this map already</source>
-        <translation>soweit der Verlauf weiß, passen die Texturen schon zu dieser UV-Map</translation>
+        <source>the textures seem to have been made for this UV map</source>
+        <translation>die Texturen wurden anscheinend für diese UV-Map gemacht</translation>
     </message>
     <message>
         <source>the textures fit this map already</source>
@@ -10137,9 +10140,12 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>the model names none</source>
         <translation>das Modell nennt keine</translation>
     </message>
-    <message>
-        <source>of %1 materials</source>
-        <translation>von %1 Materialien</translation>
+    <message numerus="yes">
+        <source>of %n materials</source>
+        <translation>
+            <numerusform>von %n Material</numerusform>
+            <numerusform>von %n Materialien</numerusform>
+        </translation>
     </message>
     <message>
         <source>Texture sets in light</source>

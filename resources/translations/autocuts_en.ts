@@ -358,6 +358,16 @@
     </message>
 </context>
 <context>
+    <name>autocuts::FileActions</name>
+    <message numerus="yes">
+        <source>Replace the pictures of %n tiles?</source>
+        <translation>
+            <numerusform>Replace the picture of %n tile?</numerusform>
+            <numerusform>Replace the pictures of %n tiles?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>autocuts::MapController</name>
     <message numerus="yes">
         <source>Cancelled: %n pictures were finished in %1</source>
@@ -402,6 +412,16 @@
         <translation>
             <numerusform>Replace %n picture? Undo does not bring it back.</numerusform>
             <numerusform>Replace %n pictures? Undo does not bring them back.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::ViewPanel</name>
+    <message numerus="yes">
+        <source>of %n materials</source>
+        <translation>
+            <numerusform>of %n material</numerusform>
+            <numerusform>of %n materials</numerusform>
         </translation>
     </message>
 </context>

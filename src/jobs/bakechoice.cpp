@@ -48,9 +48,8 @@ BakeChoice BakeChoice::fromCbor(const QCborMap &map)
     takeValues(map, choice, visitChoices);
     if (!map.contains(QLatin1StringView("ownCage"))) // written before cages were proposed
         choice.ownCage = choice.cage != BakeChoice().cage;
-    choice.direction =
-        static_cast<bake::CageDirection>(map.value(QLatin1StringView("direction")).toInteger());
-    choice.colors = static_cast<ColorSource>(map.value(QLatin1StringView("colors")).toInteger());
+    takeEnumerator(map, QLatin1StringView("direction"), bake::CageDirection::Corrected, choice.direction);
+    takeEnumerator(map, QLatin1StringView("colors"), ColorSource::Materials, choice.colors);
     if (const QCborValue maps = map.value(QLatin1StringView("maps")); maps.isArray())
         choice.maps = maps.toVariant().toStringList();
     return choice;

@@ -10,7 +10,7 @@
 
 namespace autocuts::jobs {
 
-//! A bake into the active UV set.
+//! The settings of a bake into the active UV set.
 struct BakeChoice
 {
     QString high; //!< file of the detailed model; empty: the model itself

@@ -92,7 +92,7 @@ Result<MadePictures> bakeLight(const PictureInput &input, int textureSet, const 
     made.texels = figures.texels;
     if (!missing.isEmpty())
         made.warnings.push_back({Remark::Kind::UnreadableTextures, 0, missing});
-    // Single texels, as beside a lamp, are not worth a word.
+    // Single texels, as beside a lamp, are normal.
     constexpr double fewest = 0.01;
     if (bright >= fewest)
         made.warnings.push_back({Remark::Kind::LightCutOff, bright});

@@ -26,7 +26,7 @@ Result<PreparedBake> prepareBake(const DocumentState &model, const PackingSettin
 QStringList bakedFiles(const Scene &scene, const UvMatrix &uv, double tileHeight, const BakeChoice &choice);
 
 //! After a stop, the files of finished pictures stay. With pictures of normals, occlusion or colours,
-//! MadePictures::textureSets has them, for whoever wants to put them on the model.
+//! MadePictures::textureSets has them, so that the caller can put them on the model.
 Result<MadePictures> bakePictures(const PictureInput &input, const BakeChoice &choice,
                                   const JobContext &context);
 

@@ -6,11 +6,11 @@
 
 namespace autocuts::jobs {
 
-//! Textures made new for the active map.
+//! The settings for carrying textures over to the active map.
 struct CarryChoice
 {
     enum class From {
-        Textures, //!< the map that they were made for, as the history knows it
+        Textures, //!< the map that they were made for, as told by the undo history
         UvSet,    //!< another UV set
         File      //!< the map of a model's file
     };

@@ -32,7 +32,7 @@ struct CarryTarget
     QString format;
 };
 
-//! What is to be carried.
+//! The pictures that are to be carried over, with their new files.
 struct CarryPlan
 {
     std::vector<CarriedPicture> pictures;

@@ -95,7 +95,7 @@ Result<Before> modelBefore(const PictureInput &input, const std::optional<UvMatr
                 *before.file);
     } else {
         if (!mapOfTextures || mapOfTextures->rows() != scene.mesh->cornerCount())
-            return Error{JobTexts::tr("the history does not know for which map the textures are"),
+            return Error{JobTexts::tr("cannot tell which UV map these textures were made for"),
                          {},
                          0,
                          JobTexts::tr("Choose the file or the UV set that has it")};
@@ -234,13 +234,12 @@ Result<MadePictures> carryTextures(const PictureInput &input, const std::optiona
         return fine.error();
     // Pictures of another size, or chosen ones, have a use on the same map, too.
     if (ofMaterials && choice.size == 0 && sameMap(before->scene, scene)) {
-        const Error fits =
-            choice.from == From::Textures
-                ? Error{JobTexts::tr("as far as the history knows, the textures fit this map already"),
-                        {},
-                        0,
-                        JobTexts::tr("Choose the file or the UV set that they are for")}
-                : Error{JobTexts::tr("the textures fit this map already"), {}, 0, {}};
+        const Error fits = choice.from == From::Textures
+                               ? Error{JobTexts::tr("the textures seem to have been made for this UV map"),
+                                       {},
+                                       0,
+                                       JobTexts::tr("Choose the file or the UV set that they are for")}
+                               : Error{JobTexts::tr("the textures fit this map already"), {}, 0, {}};
         return before->file ? withLosses(fits, *before->file) : fits;
     }
     if (const Result<Done> folder = makePictureFolder(choice.folder); !folder)

@@ -24,7 +24,7 @@ struct CarrySettings
     bool needsAll = false;     //!< a picture that cannot be read is an Error; else it is left out
 };
 
-//! What was made.
+//! The result of carrying textures over.
 struct CarriedFiles
 {
     bool stopped = false; //!< then nothing was written

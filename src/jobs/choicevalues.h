@@ -26,4 +26,14 @@ void takeValues(const QCborMap &map, Choice &choice, Visit visit)
     });
 }
 
+//! Takes the number of an enumerator. A value that is missing or is no number from 0 to that of `last` leaves
+//! the choice as it is.
+template <typename Enum>
+void takeEnumerator(const QCborMap &map, QLatin1StringView name, Enum last, Enum &choice)
+{
+    const QCborValue read = map.value(name);
+    if (read.isInteger() && read.toInteger() >= 0 && read.toInteger() <= static_cast<qint64>(last))
+        choice = static_cast<Enum>(read.toInteger());
+}
+
 } // namespace autocuts::jobs

@@ -100,7 +100,7 @@ LightChoice LightChoice::fromCbor(const QCborMap &map)
 {
     LightChoice choice;
     takeValues(map, choice, visitLight);
-    choice.values = static_cast<bake::LightValue>(map.value(key("values")).toInteger());
+    takeEnumerator(map, key("values"), bake::LightValue::Lit, choice.values);
     if (Vec2 sun; takeNumbers(map.value(key("sun")), sun))
         choice.lights.sun = sun;
     if (Vec3f color; takeNumbers(map.value(key("sunColor")), color))

@@ -10,7 +10,7 @@
 
 namespace autocuts::jobs {
 
-//! A light bake into a UV set.
+//! The settings of a light bake into a UV set.
 struct LightChoice
 {
     static constexpr int newSet = -1;

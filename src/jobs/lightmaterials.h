@@ -1,4 +1,4 @@
-// What of a model reflects light and what shines, for light bakes.
+// How the surface of a model reflects and emits light, for light bakes.
 #pragma once
 
 #include "model/document/documentstate.h"
@@ -11,7 +11,7 @@
 
 namespace autocuts::jobs {
 
-//! What reflects and what shines. Colours are linear.
+//! The reflectance of the surface, and the materials that emit light. Colours are linear.
 struct LightMaterials
 {
     std::vector<std::pair<QString, Vec3f>> emission; //!< radiance of materials

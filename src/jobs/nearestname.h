@@ -1,4 +1,4 @@
-// Proposes a name that was perhaps meant.
+// Finds the known name that is most similar to a misspelt one.
 #pragma once
 
 #include <QStringList>

@@ -12,7 +12,7 @@ namespace autocuts::jobs {
 struct Remark
 {
     enum class Kind {
-        Said,          //!< `names` has a whole text, translated where the fact was found
+        Said,          //!< `names` has the whole text, already translated
         FacesNotBaked, //!< `number` faces: without UVs, or on islands that cross the border of their tile
         FacesWithoutPicture, //!< the same, where textures are carried over
         NoSuchColors,        //!< the model has no colours of the chosen kind
@@ -72,7 +72,7 @@ using Remarks = std::vector<Remark>;
 //! Adds texts that the model's files have given.
 void addSaid(Remarks &warnings, const QStringList &texts);
 
-//! Adds a share of texels where it is large enough: single texels at borders are not worth a word.
+//! Adds a remark on a share of texels if the share is large enough: single texels at borders are normal.
 void addTexels(Remarks &warnings, Remark::Kind kind, long long some, long long all);
 
 //! Translated, one sentence without a full stop.

@@ -7,7 +7,7 @@
 
 namespace autocuts::jobs {
 
-//! What is transferred, and how.
+//! The source of the UVs, and how faces are matched.
 struct TransferChoice
 {
     enum class From { File, UvSet, Object };

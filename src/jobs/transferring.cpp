@@ -89,7 +89,7 @@ Error errorOf(UvTransfer::Status status, const TransferJob &input, const MeshDat
         return {TransferTexts::tr("there are no UVs to transfer"), input.sourceName, 0,
                 TransferTexts::tr("Choose a source that has UVs")};
     case UvTransfer::Status::OtherPolygons:
-        return {TransferTexts::tr("the polygons are not the same: %1 faces in the source, %2 in the model")
+        return {TransferTexts::tr("the polygons are not the same, faces of the source: %1, of the model: %2")
                     .arg(source.faceCount())
                     .arg(mesh.faceCount()),
                 input.sourceName, 0, TransferTexts::tr("Match by position")};

@@ -8,7 +8,7 @@
 
 namespace autocuts {
 
-//! What went wrong, where, and how the user can solve it.
+//! The message of a failure, where it happened, and what the user can do about it.
 struct Error
 {
     QString message; //!< the problem, one line, no full stop at the end

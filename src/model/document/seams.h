@@ -15,8 +15,8 @@ inline constexpr double unpaintedWeight = 1;
 //! Largest painted weight; keeps the energy within the range of doubles.
 inline constexpr double maxPaintedWeight = 1e6;
 
-//! What is decided for every corner pair, numbered as in MeshData (2 * edge pair + end). The diagonals inside
-//! polygons always stay without decisions: seams run along polygon sides only.
+//! The user's decisions on every corner pair, numbered as in MeshData (2 * edge pair + end). The diagonals
+//! inside polygons always stay without decisions: seams run along polygon sides only.
 struct Seams
 {
     std::vector<PairState> states;

@@ -21,8 +21,8 @@ struct SceneTexture
     bool operator==(const SceneTexture &) const = default;
 };
 
-//! What a picture says of a surface. Colours (BaseColor, Emission) of whole numbers are sRGB, all else and
-//! float pictures are linear.
+//! Which property of a surface a picture holds. Colours (BaseColor, Emission) of whole numbers are sRGB, all
+//! else and float pictures are linear.
 enum class TextureChannel { BaseColor, Roughness, Metalness, Normal, Occlusion, Emission, Height };
 inline constexpr int textureChannelCount = 7;
 

@@ -344,13 +344,13 @@ QStringList RelinkReport::lines() const
                    ? RelinkTexts::tr("%1 of %2 faces are not in the new model")
                    : RelinkTexts::tr("%1 of %2 faces are not in the new model: their UVs are lost"));
     if (placedFaces > 0)
-        lines << RelinkTexts::tr("%1 faces are new and have the UVs of the old model's nearest points")
+        lines << RelinkTexts::tr("new faces with the UVs of the old model's nearest points: %1")
                      .arg(placedFaces);
     if (besideFaces > 0)
-        lines
-            << RelinkTexts::tr("%1 faces are new and lie flat beside the map: unwrap them").arg(besideFaces);
+        lines << RelinkTexts::tr("new faces that lie flat beside the map and are still to be unwrapped: %1")
+                     .arg(besideFaces);
     if (const auto bare = newFaces.size() - placedFaces - besideFaces; bare > 0)
-        lines << RelinkTexts::tr("%1 faces are new and have no UVs").arg(bare);
+        lines << RelinkTexts::tr("new faces without UVs: %1").arg(bare);
     add(seams, RelinkTexts::tr("%1 of %2 cut, joined, painted or straight edges are lost"));
     add(pins, RelinkTexts::tr("%1 of %2 pins are lost"));
     add(rectangleFaces, RelinkTexts::tr("%1 of %2 assignments of faces to rectangles are lost"));

@@ -7,7 +7,7 @@
 
 namespace autocuts {
 
-//! What a file says about shading.
+//! The normals and the smoothing groups of a file.
 struct FileShading
 {
     static constexpr std::int64_t unsaid = -1;

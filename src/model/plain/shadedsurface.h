@@ -57,7 +57,7 @@ struct SurfaceTexture
     std::vector<float> stretch{};
 };
 
-//! A model that is baked into, or from.
+//! A model as a bake sees it: the one that gets the maps, or the detailed one.
 struct ShadedSurface
 {
     std::shared_ptr<const MeshData> mesh;

@@ -8,9 +8,9 @@ enum class StartMode { Rigid, Tutte, Random, ExistingUv };
 enum class SeamWeighting { Length, Count };
 enum class SolverKind { Fast, Exact };
 enum class CreaseMode { Off, Auto, On };
-//! What a model is like. Auto: each of its connected parts is recognised, see preference/surfacekind.h.
-//! HardSurface: flat faces and sharp edges; these keep their shape and get the seams. Organic: curved,
-//! however its faces look; the stretch may go anywhere.
+//! The kind of a model's surface. Auto: each of its connected parts is recognised, see
+//! preference/surfacekind.h. HardSurface: flat faces and sharp edges; these keep their shape and get the
+//! seams. Organic: curved, however its faces look; the stretch may go anywhere.
 enum class SurfaceKind { Auto, Organic, HardSurface };
 //! Whether flat faces, and what unrolls without stretch, keep their shape in automatic maps.
 enum class FlatMode { Rigid, Free };
@@ -23,11 +23,11 @@ enum class SymmetryMode { Off, Auto, On };
 //! The direction of the model that is up in the map. Off: any. AutoY, AutoZ: an unwrap turns islands so where
 //! that hardly costs texel density, see unwrap/unwrapplacing.h; other jobs leave them as they are.
 enum class WorldUp { Off, Y, Z, AutoY, AutoZ };
-//! Whose seams. Free: the search's. Keep: the given ones stay, and the search adds what the bound needs.
-//! Only: exactly the given ones.
+//! Which edges may become seams. Free: any. Keep: the given seams stay, and the search adds those that the
+//! bound needs. Only: the given seams and no others.
 enum class SeamMode { Free, Keep, Only };
 
-//! What the given seams are: the union of these. The borders of objects are seams in any case.
+//! Which edges are given seams: the union of these sources. The borders of objects are seams in any case.
 struct GivenSeamOptions
 {
     bool cuts = true;       //!< edges that the user cut

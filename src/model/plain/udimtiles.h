@@ -25,7 +25,7 @@ Eigen::AlignedBox2d udimTile(int tile, double tileHeight);
 //! The tile that contains a point; also where tiles have no number.
 Eigen::AlignedBox2d tileAt(const Vec2 &point, double tileHeight);
 
-//! Where the islands of a layout belong.
+//! The UDIM tile of each island of a layout.
 struct TileLayout
 {
     bool hasTiles = false;       //!< the layout is made of tiles; see above
@@ -36,8 +36,8 @@ struct TileLayout
     std::vector<int> ofFaces(const ChartMap &charts) const;
 };
 
-//! Where the islands of a layout belong. In a layout that is made of tiles, an island that lies where no tile
-//! is belongs to the nearest one in which an island is at home. \param charts of the UVs
+//! The UDIM tile of each island of a layout. In a layout that is made of tiles, an island that lies where no
+//! tile is belongs to the nearest one in which an island is at home. \param charts of the UVs
 TileLayout findTiles(const MeshData &mesh, const ChartMap &charts, const UvMatrix &uv, double tileHeight);
 
 //! TileLayout::ofFaces() of a layout. \param charts of the UVs

@@ -12,7 +12,7 @@ namespace {
 
 // Numbers in this file without another source were chosen by hand.
 
-//! So many vertices tell.
+//! So many vertices are enough to tell whether the surfaces lie in one place.
 constexpr int mostVertices = 20'000;
 //! The others may be spikes or faults.
 constexpr double nearlyAll = 0.999;

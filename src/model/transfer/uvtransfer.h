@@ -17,7 +17,7 @@ enum class UvMatch {
 //! shape. Chosen by hand.
 inline constexpr double farShare = 0.01;
 
-//! What was matched, and how well.
+//! How many faces got UVs, and how closely the models match.
 struct TransferFigures
 {
     int faces = 0;  //!< that were to get UVs
@@ -51,7 +51,7 @@ struct UvTransfer
     TransferFigures figures;
 };
 
-//! What is to be brought.
+//! The source of the UVs, and the mesh that gets them.
 struct UvTransferInput
 {
     const MeshData &source;

@@ -11,14 +11,14 @@
 
 namespace autocuts::bake {
 
-//! What the detailed model is.
+//! Which surface the maps are read from.
 enum class SourceKind {
     None,         //!< the simple model itself is baked
     Detailed,     //!< another model, found by rays
     SameTriangles //!< the same triangles with other UVs: textures are carried over
 };
 
-//! A bake.
+//! The inputs and the settings of one texture bake.
 struct BakeJob
 {
     ShadedSurface low;
@@ -37,7 +37,7 @@ struct BakeJob
 //! How the values of a bake become numbers of files.
 Encoding encodingOf(const BakeJob &job, const Frame &frame);
 
-//! The counts of a whole bake.
+//! Texel counts and seam differences, summed over all tiles of a bake.
 struct BakeFigures
 {
     bool stopped = false;

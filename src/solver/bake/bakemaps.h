@@ -1,4 +1,4 @@
-// What a bake finds out about the points of a surface.
+// The values that a bake computes for points of a surface.
 #pragma once
 
 #include "solver/bake/projection.h"
@@ -24,7 +24,7 @@ enum class MapKind {
     Texture       //!< a channel of texture sets
 };
 
-//! A map to be baked.
+//! One map that a bake is to make.
 struct MapRequest
 {
     MapKind kind = MapKind::Normal;
@@ -62,7 +62,7 @@ std::string_view nameOf(MapKind kind);
 
 int channelsOf(const ShadedSurface &source, const MapRequest &request);
 
-//! Finds out about single points.
+//! Computes the values of maps at single points.
 class MapProbe final
 {
 public:

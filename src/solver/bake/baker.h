@@ -9,7 +9,7 @@
 
 namespace autocuts::bake {
 
-//! What a bake is made of.
+//! The settings of a bake of one tile.
 struct BakeSettings
 {
     std::vector<MapRequest> maps;
@@ -18,7 +18,7 @@ struct BakeSettings
     RaySettings rays;
 };
 
-//! The maps, and how the bake went.
+//! The finished maps of a tile, and counts of its texels.
 struct BakeResult
 {
     bool stopped = false; //!< then rows are missing

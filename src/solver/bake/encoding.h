@@ -1,4 +1,4 @@
-// Turns what a bake found into the numbers of picture files.
+// Converts the values of baked maps to the numbers that picture files store.
 #pragma once
 
 #include "solver/bake/bakemaps.h"
@@ -7,7 +7,7 @@
 
 namespace autocuts::bake {
 
-//! How the values are written.
+//! How the values of a map are converted for its file.
 struct Encoding
 {
     //! For files of floating point numbers: colours linear, positions, heights and curvatures as they are.

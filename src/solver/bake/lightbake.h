@@ -18,7 +18,7 @@ enum class LightValue {
     Lit         //!< radiance that leaves: albedo times Light, and what the surface shines itself
 };
 
-//! How light is baked.
+//! The settings of a light bake of one tile.
 struct LightBakeSettings
 {
     int width = 1024, height = 1024;
@@ -32,7 +32,7 @@ struct LightBakeSettings
     std::uint32_t seed = 0; //!< of the noise
 };
 
-//! A light map.
+//! The light map of one tile, with counts of its texels.
 struct LightBakeResult
 {
     bool stopped = false; //!< then it has fewer samples, and is coarse where there are none yet

@@ -11,7 +11,7 @@ namespace autocuts::bake {
 // Colours are linear RGB. Radiance is light per area and solid angle; a white surface in a sky of radiance 1
 // has radiance 1 itself.
 
-//! Light from far away.
+//! Light from so far away that its rays are parallel, but for the angle that it fills.
 struct Sun
 {
     Vec3f towards = Vec3f::UnitY();   //!< unit, from the model to the sun

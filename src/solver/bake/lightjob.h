@@ -12,7 +12,7 @@ namespace autocuts::bake {
 //! The lights of a plan. \param facesShine there are materials that do: without a sky, it is dark
 Lighting lightingOf(const LightPlan &plan, bool facesShine);
 
-//! A light bake of all tiles.
+//! The inputs and the settings of a light bake of all tiles.
 struct LightJob
 {
     LitSurface surface;
@@ -26,7 +26,7 @@ struct LightJob
 LightJob lightJobOf(LitSurface surface, const LightPlan &plan, const LightBakeSettings &settings,
                     double tileHeight);
 
-//! The counts of a whole light bake.
+//! Texel counts of a light bake, summed over all tiles.
 struct LightFigures
 {
     bool stopped = false;

@@ -41,7 +41,7 @@ private:
         Vec3f outside; //!< unit, the face's
     };
 
-    //! A triangle or a parallelogram that shines.
+    //! A triangle or a parallelogram that emits light.
     struct Emitter
     {
         Vec3f corner, first, second; //!< sides from the corner

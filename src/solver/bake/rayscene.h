@@ -14,7 +14,7 @@ namespace autocuts::bake {
 //! so that single precision is enough.
 using Vec3f = Eigen::Vector3f;
 
-//! The frame of a bake.
+//! The coordinates of a bake: the model moved and scaled to a common size.
 struct Frame
 {
     Vec3 origin = Vec3::Zero();

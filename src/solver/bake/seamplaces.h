@@ -11,7 +11,8 @@
 
 namespace autocuts::bake {
 
-//! A place of a seam. What it shows should be the same from both sides.
+//! A point of a seam, in both islands that meet there. A picture without visible seams has the same value in
+//! both.
 struct SeamPlace
 {
     std::array<SurfacePoint, 2> side;

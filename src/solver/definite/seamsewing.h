@@ -9,7 +9,7 @@
 
 namespace autocuts::definite {
 
-//! What a face may do when a seam is closed.
+//! Whether a face may move when a seam is closed.
 enum class FaceRole : std::uint8_t {
     Outside, //!< not in the islands at the seam
     Held,    //!< stays; the other side comes to it

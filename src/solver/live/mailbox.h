@@ -24,7 +24,7 @@ template <class Orders, class Result>
 class Mailbox
 {
 public:
-    //! What lies in the box.
+    //! What the box holds: orders for the worker, and its newest result.
     struct Content
     {
         Orders orders;
@@ -34,7 +34,7 @@ public:
     };
 
     Mailbox() = default;
-    //! Waits until whoever gave the last order has left the box.
+    //! Waits until the thread that gave the last order has left the box.
     ~Mailbox() { const std::lock_guard lock(mMutex); }
     Mailbox(const Mailbox &) = delete;
     Mailbox &operator=(const Mailbox &) = delete;

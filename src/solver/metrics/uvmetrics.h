@@ -8,7 +8,7 @@
 
 namespace autocuts::metrics {
 
-//! What to measure.
+//! Which figures are measured, and the size of the texture.
 struct UvMetricsOptions
 {
     int textureSize = 2048; //!< texels along the width of the texture, for figures in texels

@@ -10,7 +10,7 @@
 
 namespace autocuts::metrics {
 
-//! What is looked for.
+//! Which overlaps count, and how many are listed.
 struct UvOverlapOptions
 {
     //! Per face. Islands of one stack lie on each other on purpose: their overlaps do not count. Empty: none

@@ -40,7 +40,7 @@ private:
         int begin, end;         //!< range of corners in the fan
         bool hasFirst, hasLast; //!< with the returning triangle before the fan, after it
     };
-    //! A collapse that is being undone: its points, and the map around the kept point before.
+    //! An edge collapse that is being undone: its points, and the map around the kept point before.
     struct Comeback
     {
         int removed = -1, kept = -1;

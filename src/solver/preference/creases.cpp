@@ -1,12 +1,9 @@
 #include "solver/preference/creases.h"
 
-#include "model/plain/polygon.h"
+#include "model/plain/edgeangles.h"
 #include "solver/base/constant.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace autocuts::preference {
@@ -30,33 +27,7 @@ constexpr double leastFactor = 1e-3; // a seam always costs something
 constexpr double roughBend = 7 * degree;
 constexpr int roughTriangles = 4000;
 
-std::vector<Vec3> faceNormals(const MeshData &mesh)
-{
-    std::vector<Vec3> normals(mesh.faceCount());
-    std::vector<Vec3> points;
-    for (int f = 0; f < mesh.faceCount(); ++f) {
-        points.clear();
-        for (int c = mesh.faceStart[f]; c < mesh.faceStart[f + 1]; ++c)
-            points.push_back(mesh.cornerPosition(c) - mesh.cornerPosition(mesh.faceStart[f]));
-        normals[f] = polygonNormal(points).stableNormalized();
-    }
-    return normals;
-}
-
 } // namespace
-
-std::vector<double> dihedralAngles(const MeshData &mesh)
-{
-    const std::vector<Vec3> normals = faceNormals(mesh);
-    std::vector<double> angles;
-    angles.reserve(mesh.edgePairs.size());
-    for (const EdgePair &pair : mesh.edgePairs) {
-        const Vec3 &a = normals[mesh.triangleFace[pair.triangle[0]]];
-        const Vec3 &b = normals[mesh.triangleFace[pair.triangle[1]]];
-        angles.push_back(pair.diagonal ? 0 : std::atan2(a.cross(b).norm(), a.dot(b)));
-    }
-    return angles;
-}
 
 std::vector<bool> creases(const MeshData &mesh, const std::vector<double> &angles)
 {
@@ -104,7 +75,7 @@ bool isRough(const MeshData &mesh, const std::vector<double> &angles)
 
 std::vector<double> creaseFactors(const MeshData &mesh, double strength)
 {
-    std::vector<double> factors = dihedralAngles(mesh);
+    std::vector<double> factors = edgeAngles(mesh);
     for (double &factor : factors) {
         const double sharpness = std::clamp((factor - rampBegin) / (rampEnd - rampBegin), 0.0, 1.0);
         factor = std::max(leastFactor, 1 - strength * sharpness);

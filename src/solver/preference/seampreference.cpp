@@ -1,5 +1,6 @@
 #include "solver/preference/seampreference.h"
 
+#include "model/plain/edgeangles.h"
 #include "solver/base/constant.h"
 #include "solver/preference/creases.h"
 #include "solver/preference/openness.h"
@@ -66,7 +67,7 @@ void normalize(const MeshData &mesh, std::vector<double> &factors)
 std::vector<int> edgesInFlatRegions(const MeshData &mesh, const RigidRegions &regions)
 {
     std::vector<int> inFlat;
-    const std::vector<double> angles = dihedralAngles(mesh);
+    const std::vector<double> angles = edgeAngles(mesh);
     for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
         const auto [a, b] = mesh.edgePairs[e].triangle;
         if (regions.region[a] >= 0 && regions.region[a] == regions.region[b] && angles[e] < flatAngle)
@@ -78,7 +79,7 @@ std::vector<int> edgesInFlatRegions(const MeshData &mesh, const RigidRegions &re
 //! Nothing on a rough surface that has hardly any flat regions.
 std::shared_ptr<const RigidRegions> rigidRegions(const std::shared_ptr<const MeshData> &mesh)
 {
-    const std::vector<double> angles = dihedralAngles(*mesh);
+    const std::vector<double> angles = edgeAngles(*mesh);
     std::shared_ptr<const RigidRegions> regions = rigid::rigidRegions(mesh, creases(*mesh, angles));
     return regions && regions->share < flatByAccident && isRough(*mesh, angles) ? nullptr : regions;
 }
@@ -98,7 +99,7 @@ std::vector<bool> alignedParts(const SolveSettings &settings, const MeshData &me
 SolveSettings decidedForAll(SolveSettings settings, const std::shared_ptr<const MeshData> &mesh)
 {
     // A coarser version is smoother, so that it may no longer count as rough.
-    if (settings.flat == FlatMode::Rigid && isRough(*mesh, dihedralAngles(*mesh)) && !rigidRegions(mesh))
+    if (settings.flat == FlatMode::Rigid && isRough(*mesh, edgeAngles(*mesh)) && !rigidRegions(mesh))
         settings.flat = FlatMode::Free;
     if (settings.creases != CreaseMode::Auto && settings.align != CreaseMode::Auto)
         return settings;

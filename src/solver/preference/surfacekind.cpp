@@ -1,5 +1,6 @@
 #include "solver/preference/surfacekind.h"
 
+#include "model/plain/edgeangles.h"
 #include "solver/preference/creases.h"
 
 namespace autocuts::preference {
@@ -50,7 +51,7 @@ SurfaceParts surfaceParts(const MeshData &mesh, SurfaceKind kind)
     parts.creasedShare = parts.hardShare = kind == SurfaceKind::HardSurface ? 1 : 0;
     if (kind != SurfaceKind::Auto)
         return parts;
-    const std::vector<double> angles = dihedralAngles(mesh);
+    const std::vector<double> angles = edgeAngles(mesh);
     const std::vector<bool> crease = creases(mesh, angles);
     std::vector<Sums> sums(mesh.componentCount);
     std::vector<bool> bends(mesh.faceCount(), false); // per face: over an edge that is not sharp

@@ -93,7 +93,7 @@ private:
         double score;     //!< estimated energy gain over seam cost
         int edge, vertex; //!< the edge, and its end on the boundary
     };
-    //! One thing to try: trials until one is kept.
+    //! A list of trials, made one after another until one is kept.
     struct Task
     {
         Move move;

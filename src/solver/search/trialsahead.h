@@ -10,7 +10,7 @@
 
 namespace autocuts::search {
 
-//! One thing that a search tries: trials one after another until one is kept.
+//! The outcome of a list of trials, made one after another until one is kept.
 struct TrialOutcome
 {
     bool kept = false;

@@ -10,7 +10,7 @@
 
 namespace autocuts::straight {
 
-//! What the settings ask of a map, decided for its mesh.
+//! Which parts of a map are turned or made straight, as the settings ask for it on this mesh.
 struct StraightPlan
 {
     std::vector<bool> aligned; //!< per connected component, see SolveSettings::align; empty: none

@@ -10,7 +10,7 @@ namespace autocuts::straight {
 double angleToAxes(const Island &island, const std::vector<Chain> &chains);
 
 //! The angle by which an island has to be turned so that a direction of the model is up in the map, radians.
-//! In an island that lies across that direction, up is what is up for somebody who looks down on it: -z where
+//! In an island that lies across that direction, up is what is up for a viewer who looks down on it: -z where
 //! y is up, y where z is up. 0 where no direction is up.
 double angleToUp(const Soup &soup, const Island &island, const Positions &positions, WorldUp up);
 

@@ -32,7 +32,8 @@ struct Candidate
 
 //! Makes a usable map; nothing when that fails or the job is stopped. May be kept, and called by any thread.
 using MakeMap = std::function<std::optional<Candidate>(const JobContext &)>;
-//! Takes what makes a usable map of what was found so far: a newer one replaces it. Empty: nobody wants them.
+//! Takes what makes a usable map of what was found so far: a newer one replaces it. Empty: they are not
+//! needed.
 using PrepareMap = std::function<void(MakeMap)>;
 
 //! Compares candidates, keeps the best one and reports the progress of an unwrap. May be used by several

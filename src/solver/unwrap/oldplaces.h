@@ -8,7 +8,7 @@
 
 namespace autocuts::unwrap {
 
-//! The map before.
+//! The map before the job, with its charts.
 struct OldPlaces
 {
     const UvMatrix &uv; //!< per corner, texture space

@@ -25,7 +25,7 @@ enum class PackHurry {
     Always
 };
 
-//! What to pack, and how.
+//! The islands to pack, and the settings.
 struct PackJob
 {
     packing::PackOptions options{};       //!< settings, and the bin of islands without another one

@@ -86,7 +86,7 @@ void ReadyResult::run(const MakeMap &first)
         mHurries = mHurries && mNext;
         mChanged.notify_all();
         auto next = start + mFirstRest;
-        // Patches are for want of anything else.
+        // A map that is only flat patches is a fallback: it is replaced without a rest.
         if (!mMeasures || !mMeasures->onlyPatches)
             next = std::max(next, now + restShare * (now - begin));
         mChanged.wait_until(lock, next, [this] { return mEnds || mHurries; });
@@ -98,12 +98,12 @@ void ReadyResult::run(const MakeMap &first)
     }
 }
 
-//! Than the present result. \pre the mutex is locked
+//! True when the candidate is better than the present result. \pre the mutex is locked
 bool ReadyResult::isBetter(const Candidate &candidate) const
 {
     if (!mMeasures)
         return true;
-    // Patches are for want of anything else, except where they are as good, as for loose triangles.
+    // A map that is only flat patches is a fallback, unless it is as good, as it is for loose triangles.
     if (mMeasures->onlyPatches && !candidate.onlyPatches)
         return candidate.seamCost < mMeasures->seamCost ||
                candidate.distortion < (1 - rounding) * mMeasures->distortion;

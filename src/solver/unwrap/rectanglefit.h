@@ -9,7 +9,7 @@
 
 namespace autocuts::unwrap {
 
-//! How far charts are deformed: the first few steps, or as far as it goes.
+//! How far charts are deformed: the first few steps only, or until nothing is gained.
 enum class FitEffort { Quick, Full };
 
 //! Deforms charts that do not fit into their rectangle at their size, by the box energy of the paper

@@ -13,7 +13,7 @@ namespace autocuts::unwrap {
 [[nodiscard]] std::optional<Candidate> worthOf(const FreePart &part, const std::shared_ptr<const Soup> &soup,
                                                const Snapshot &problem, const UvMatrix &uv);
 
-//! How far a map fulfils what is asked for without being a must.
+//! How far a map fulfils the steering that is wished for but not required.
 struct Wishes
 {
     //! How far soft pins are from their places: the sum of their weights times the squared distances, solver

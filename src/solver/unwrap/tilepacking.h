@@ -15,7 +15,7 @@ struct TilePacking
     std::vector<int> tilesFirst{};              //!< these before all others, in this order
 };
 
-//! What became of it.
+//! The map after packing, and the tiles that were used.
 struct TilePackingResult
 {
     enum class Outcome {

@@ -361,8 +361,9 @@ bool FileActions::confirmReplacing(const std::vector<LayoutPicture> &pictures)
     const auto there = std::count_if(pictures.begin(), pictures.end(), [](const LayoutPicture &picture) {
         return QFileInfo::exists(picture.path);
     });
-    return there == 0 || mQuestions.confirm(tr("Replace the pictures of %1 tiles?").arg(there),
-                                            tr("Their content is lost."), tr("&Replace"));
+    return there == 0 ||
+           mQuestions.confirm(tr("Replace the pictures of %n tiles?", nullptr, static_cast<int>(there)),
+                              tr("Their content is lost."), tr("&Replace"));
 }
 
 void FileActions::offerRecovery()

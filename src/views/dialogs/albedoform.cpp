@@ -1,6 +1,7 @@
 #include "views/dialogs/albedoform.h"
 
 #include "model/pictures/picturefiles.h"
+#include "views/dialogs/fieldrow.h"
 #include "views/ui/colorbutton.h"
 #include "views/ui/questions.h"
 
@@ -8,7 +9,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -22,7 +22,7 @@ AlbedoForm::AlbedoForm(const std::vector<UvSet> &sets, const jobs::LightMaterial
                        QWidget *parent)
     : QGroupBox(tr("Surface"), parent), mQuestions(questions), mForm(new QFormLayout(this)),
       mKind(new QComboBox), mUvSet(new QComboBox), mColor(new ColorButton(tr("Colour of the surface"))),
-      mPicture(new QLineEdit), mPictureRow(new QWidget)
+      mPicture(new QLineEdit)
 {
     mKind->setObjectName("albedo"_L1);
     mKind->addItem(tr("The colours of the model"), int(Kind::Model));
@@ -40,12 +40,7 @@ AlbedoForm::AlbedoForm(const std::vector<UvSet> &sets, const jobs::LightMaterial
     mPicture->setText(QDir::toNativeSeparators(last.albedoFile));
     auto *browse = new QPushButton(tr("Brow&se..."));
     browse->setObjectName("browseAlbedo"_L1);
-    browse->setAutoDefault(false);
-    auto *row = new QHBoxLayout(mPictureRow);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(mPicture, 1);
-    row->addWidget(browse);
-    mPictureRow->setFocusProxy(mPicture);
+    mPictureRow = fieldRow(mPicture, browse);
     mUvSet->setObjectName("albedoUvSet"_L1);
     mUvSet->addItem(tr("That of the light map"), QString());
     for (const UvSet &set : sets)

@@ -3,6 +3,7 @@
 #include "jobs/bakepictures.h"
 #include "model/document/document.h"
 #include "views/control/pictures/bakemaptexts.h"
+#include "views/dialogs/fieldrow.h"
 #include "views/ui/dialogsize.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
@@ -88,7 +89,7 @@ BakeDialog::BakeDialog(const Document &document, const jobs::BakeChoice &last, c
     mPutOn->setToolTip(
         tr("The pictures become textures of the materials, shown in light; this can be undone"));
     auto *files = new QFormLayout;
-    files->addRow(tr("Fold&er:"), pathRow(mFolder, browse));
+    files->addRow(tr("Fold&er:"), fieldRow(mFolder, browse));
     files->addRow(QString(), mPutOn);
     mProblem->setWordWrap(true);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
@@ -141,17 +142,10 @@ QWidget *BakeDialog::makeModels(const jobs::BakeChoice &last)
                             tr("How far the detailed model is looked for, outside and inside of the surface; "
                                "100 % is the diagonal of the model")));
     mPropose = named("propose", new QPushButton(tr("Propose")));
-    mPropose->setAutoDefault(false);
     mPropose->setToolTip(
         tr("Measure how far the models are apart, and take that and half as much again; done "
            "for each bake where no distance is typed"));
     mCageNote->setWordWrap(true);
-    auto *cageRow = new QWidget;
-    auto *cage = new QHBoxLayout(cageRow);
-    cage->setContentsMargins(0, 0, 0, 0);
-    cage->addWidget(mCage, 1);
-    cage->addWidget(mPropose);
-    cageRow->setFocusProxy(mCage);
     mCageFile = named("cageFile", new QLineEdit(QDir::toNativeSeparators(last.cageFile)));
     mCageFile->setPlaceholderText(tr("None: by distance"));
     mCageFile->setClearButtonEnabled(true);
@@ -168,10 +162,10 @@ QWidget *BakeDialog::makeModels(const jobs::BakeChoice &last)
     mByName->setToolTip(tr("Endings such as _low and _high do not count"));
     addMaps(last.maps);
     auto *form = new QFormLayout(group);
-    form->addRow(tr("De&tailed model:"), pathRow(mHigh, browseHigh));
-    form->addRow(tr("C&age:"), cageRow);
+    form->addRow(tr("De&tailed model:"), fieldRow(mHigh, browseHigh));
+    form->addRow(tr("C&age:"), fieldRow(mCage, mPropose));
     form->addRow(QString(), mCageNote);
-    form->addRow(tr("Ca&ge file:"), pathRow(mCageFile, browseCage));
+    form->addRow(tr("Ca&ge file:"), fieldRow(mCageFile, browseCage));
     form->addRow(tr("D&irection:"), mDirection);
     form->addRow(QString(), mByName);
     form->addRow(tr("&Maps:"), mMaps);
@@ -246,18 +240,6 @@ QWidget *BakeDialog::makePictures(const jobs::BakeChoice &last)
     form->addRow(tr("Di&lation:"), mDilation);
     form->addRow(tr("&Format:"), mFormat);
     return group;
-}
-
-QWidget *BakeDialog::pathRow(QLineEdit *edit, QPushButton *browse)
-{
-    auto *row = new QWidget;
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(edit, 1);
-    layout->addWidget(browse);
-    browse->setAutoDefault(false);
-    row->setFocusProxy(edit);
-    return row;
 }
 
 void BakeDialog::addMaps(const QStringList &chosen)

@@ -49,7 +49,6 @@ public:
 private:
     QWidget *makeModels(const jobs::BakeChoice &last);
     QWidget *makePictures(const jobs::BakeChoice &last);
-    QWidget *pathRow(QLineEdit *edit, QPushButton *browse);
     void addMaps(const QStringList &chosen);
     QString orFolder(const QString &file) const;
     void browseDetailed();

@@ -4,6 +4,7 @@
 #include "model/document/document.h"
 #include "model/plain/udimtiles.h"
 #include "views/control/session/proposedfolder.h"
+#include "views/dialogs/fieldrow.h"
 #include "views/ui/questions.h"
 #include "views/ui/reasons.h"
 
@@ -29,18 +30,6 @@ using From = jobs::CarryChoice::From;
 namespace {
 
 constexpr int mostRowsShown = 8;
-
-QWidget *pathRow(QLineEdit *edit, QPushButton *browse)
-{
-    auto *row = new QWidget;
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(edit, 1);
-    layout->addWidget(browse);
-    browse->setAutoDefault(false);
-    row->setFocusProxy(edit);
-    return row;
-}
 
 QString channelName(TextureChannel channel)
 {
@@ -162,8 +151,8 @@ void CarryDialog::addFormats(const jobs::CarryChoice &last)
 void CarryDialog::fillForm()
 {
     auto *browseFile = new QPushButton(tr("&Browse...")), *browseFolder = new QPushButton(tr("B&rowse..."));
-    mFileRow = pathRow(mFile, browseFile);
-    mFolderRow = pathRow(mFolder, browseFolder);
+    mFileRow = fieldRow(mFile, browseFile);
+    mFolderRow = fieldRow(mFolder, browseFolder);
     mList->setHeaderLabels({tr("Material"), tr("Shown as"), tr("Old picture"), tr("New file")});
     mList->setRootIsDecorated(false);
     mList->setSelectionMode(QAbstractItemView::NoSelection);

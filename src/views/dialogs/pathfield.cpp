@@ -1,10 +1,10 @@
 #include "views/dialogs/pathfield.h"
 
+#include "views/dialogs/fieldrow.h"
 #include "views/ui/questions.h"
 
 #include <QDir>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -14,13 +14,8 @@ PathField::PathField(const QString &title, Questions &questions, QWidget *parent
     : QWidget(parent), mTitle(title), mQuestions(questions), mEdit(new QLineEdit)
 {
     auto *button = new QPushButton(tr("&Browse..."));
-    button->setAutoDefault(false);
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(mEdit, 1);
-    layout->addWidget(button);
+    fieldRow(mEdit, button, this);
     mEdit->setMinimumWidth(320);
-    setFocusProxy(mEdit);
     connect(mEdit, &QLineEdit::textChanged, this, &PathField::pathChanged);
     connect(button, &QPushButton::clicked, this, &PathField::browse);
 }

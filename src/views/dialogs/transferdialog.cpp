@@ -1,6 +1,7 @@
 #include "views/dialogs/transferdialog.h"
 
 #include "model/document/document.h"
+#include "views/dialogs/fieldrow.h"
 #include "views/ui/questions.h"
 #include "views/ui/reasons.h"
 
@@ -25,20 +26,15 @@ TransferDialog::TransferDialog(const Document &document, const jobs::TransferCho
                                const QString &folder, const QStringList &filters, Questions &questions)
     : QDialog(questions.window()), mQuestions(questions), mFolder(folder), mFilters(filters),
       mFrom(new QComboBox), mUvSet(new QComboBox), mObject(new QComboBox), mMatch(new QComboBox),
-      mFileRow(new QWidget), mPath(new QLineEdit),
-      mOnlySelection(new QCheckBox(tr("O&nly the selected faces"))), mProblem(new QLabel)
+      mPath(new QLineEdit), mOnlySelection(new QCheckBox(tr("O&nly the selected faces"))),
+      mProblem(new QLabel)
 {
     setWindowTitle(tr("Transfer UVs"));
     addSources(document);
     mPath->setMinimumWidth(320);
     mPath->setText(QDir::toNativeSeparators(last.path));
     auto *browse = new QPushButton(tr("&Browse..."));
-    browse->setAutoDefault(false);
-    auto *row = new QHBoxLayout(mFileRow);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(mPath, 1);
-    row->addWidget(browse);
-    mFileRow->setFocusProxy(mPath);
+    mFileRow = fieldRow(mPath, browse);
     mMatch->addItem(tr("The same polygons, otherwise by position"), int(transfer::UvMatch::Auto));
     mMatch->addItem(tr("Only if the polygons are the same"), int(transfer::UvMatch::Topology));
     mMatch->addItem(tr("By position"), int(transfer::UvMatch::Position));

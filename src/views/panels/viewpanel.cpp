@@ -319,7 +319,7 @@ void ViewPanel::refresh()
     const int textures = context().pictures.count();
     mModelTextures->setText(context().pictures.isLoading() ? tr("being read...")
                             : textures == 0                ? tr("the model names none")
-                                                           : tr("of %1 materials").arg(textures));
+                                                           : tr("of %n materials", nullptr, textures));
     mForm->setRowVisible(mStretchClamp, options.coloring == Coloring::SignedStretch);
     mForm->setRowVisible(mMagnitudeClamp, options.coloring == Coloring::StretchMagnitude);
     const bool isDensity = options.coloring == Coloring::Density;

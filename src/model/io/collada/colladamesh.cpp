@@ -179,7 +179,7 @@ bool readNumbers(const XmlElement &source, ColladaNumbers &numbers)
                       array.substr(1) == numbers.array->attribute("id") && count == numbers.rows() &&
                       count * numbers.stride == static_cast<int>(numbers.values.size()) &&
                       numbers.array->children.empty();
-    // What begins elsewhere is read by nobody here.
+    // Elements that begin elsewhere are not needed here.
     return fine && offset == 0;
 }
 

@@ -7,7 +7,7 @@
 
 namespace autocuts {
 
-//! What is known of a format that is read.
+//! The properties of a format that can be read.
 struct MeshFormat
 {
     QString suffix;   //!< in lower case

@@ -3,7 +3,7 @@
 
 namespace autocuts {
 
-//! Said in advance when a format loses it.
+//! Contents of a file that a format may not be able to hold. The user is told of them before an export.
 struct SourceContents
 {
     bool bones = false, shapeKeys = false, animations = false, lightsOrCameras = false,

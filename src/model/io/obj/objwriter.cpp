@@ -110,7 +110,8 @@ QByteArray materialLibrary(const Scene &scene, MaterialLooks &looks)
     return out;
 }
 
-//! Beside the output, under its name unless there is a library of somebody else.
+//! Beside the output, under its name unless a library of that name is there that this program has not
+//! written.
 QString placeOfLibrary(const QString &output)
 {
     const QString stem = QFileInfo(output).absoluteDir().filePath(QFileInfo(output).completeBaseName());

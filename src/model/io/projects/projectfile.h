@@ -50,7 +50,7 @@ private:
     std::map<QByteArray, PackedBlock> mModel; //!< its blocks by name
 };
 
-//! What a save that succeeded has to tell.
+//! The result of a save that succeeded.
 struct SavedProject
 {
     QString warning; //!< why there is no backup of the file before; empty when there is
