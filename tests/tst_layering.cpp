@@ -71,8 +71,8 @@ const std::vector<ForeignLibrary> libraries{
      "meshoptimizer belongs to model/io/gltf/gltfmeshopt.cpp"},
     {std::regex("nlohmann/.*"), "model/io/gltf/gltfjson.h",
      "nlohmann_json belongs to model/io/gltf/gltfjson.h"},
-    {std::regex(R"((OpenEXR|Imath)/.*|(Imf|Iex|Imath)\w+\.h)"), "model/io/pictures/exrpictures.cpp",
-     "OpenEXR belongs to model/io/pictures/exrpictures.cpp"},
+    {std::regex(R"((OpenEXR|Imath)/.*|(Imf|Iex|Imath)\w+\.h)"), "model/pictures/exrpictures.cpp",
+     "OpenEXR belongs to model/pictures/exrpictures.cpp"},
     {std::regex("OpenMesh/.*"), "solver/multires/edgecollapses.cpp",
      "OpenMesh belongs to solver/multires/edgecollapses.cpp"},
 };
@@ -355,8 +355,8 @@ private Q_SLOTS:
         row("solver/preference/raytree.cpp", "embree4/rtcore.h", false);
         row("model/io/gltf/gltfprimitive.cpp", "draco/compression/decode.h", false);
         row("model/io/gltf/gltfdata.cpp", "meshoptimizer.h", false);
-        row("model/io/pictures/picturefiles.cpp", "OpenEXR/ImfInputPart.h", false);
-        row("model/io/pictures/hdrpictures.cpp", "ImfRgbaFile.h", false);
+        row("model/pictures/picturefiles.cpp", "OpenEXR/ImfInputPart.h", false);
+        row("model/pictures/hdrpictures.cpp", "ImfRgbaFile.h", false);
         row("model/io/outputs/bakefiles.cpp", "Imath/half.h", false);
         row("model/io/gltf/gltfnodes.cpp", "nlohmann/json.hpp", false);
         row("link/handedmodel.cpp", "nlohmann/json_fwd.hpp", false);

@@ -19,8 +19,11 @@ autodoc_typehints = "none"
 def link_pages(app, name, source):
     """Files of the source tree that have a page here are linked as that page."""
     text = re.sub(r"\]\(\.\./examples/[^)]*\)", "](examples.md)", source[0])
-    text = text.replace("](../include/autocuts/autocuts.h)", "](c.rst)")
-    source[0] = text.replace("](../README.md#command-line)", "](commandline.md)")
+    source[0] = text.replace("](../include/autocuts/autocuts.h)", "](c.rst)")
+    if name == "guide":
+        # Its chapters are pages below it, in the order of its table.
+        chapters = re.findall(r"\*\*\[[^]]*\]\((guide/[a-z-]+)\.md\)\*\*", text)
+        source[0] += "\n```{toctree}\n:hidden:\n" + "\n".join(chapters) + "\n```\n"
 
 
 def setup(app):
