@@ -1928,16 +1928,8 @@
         <translation>Normalen und Vertexfarben gehen verloren</translation>
     </message>
     <message>
-        <source>PLY holds one object: all are joined</source>
-        <translation>PLY enthält ein Objekt: alle werden verbunden</translation>
-    </message>
-    <message>
         <source>materials are lost</source>
         <translation>Materialien gehen verloren</translation>
-    </message>
-    <message>
-        <source>PLY holds one UV set: only &quot;%1&quot; is written</source>
-        <translation>PLY enthält einen UV-Satz: nur „%1“ wird geschrieben</translation>
     </message>
     <message>
         <source>shape keys (morph targets) are lost</source>
@@ -1966,10 +1958,6 @@
     <message>
         <source>the node hierarchy, lights and cameras are lost; positions are written in world space</source>
         <translation>Knotenhierarchie, Lichter und Kameras gehen verloren; Positionen werden in Weltkoordinaten geschrieben</translation>
-    </message>
-    <message>
-        <source>glTF holds triangles only: polygons are split</source>
-        <translation>glTF enthält nur Dreiecke: Polygone werden geteilt</translation>
     </message>
     <message>
         <source>corners without UV get the UV 0 0</source>
@@ -2042,6 +2030,18 @@
     <message>
         <source>stereo cameras are lost: only their places are written</source>
         <translation>Stereokameras gehen verloren: nur ihre Lage wird geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 holds one object: all are joined</source>
+        <translation>%1 enthält ein Objekt: alle werden verbunden</translation>
+    </message>
+    <message>
+        <source>%1 holds one UV set: only &quot;%2&quot; is written</source>
+        <translation>%1 enthält einen UV-Satz: nur „%2“ wird geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 holds triangles only: polygons are split</source>
+        <translation>%1 enthält nur Dreiecke: Polygone werden geteilt</translation>
     </message>
 </context>
 <context>
@@ -5977,10 +5977,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
 <context>
     <name>autocuts::MapController</name>
     <message>
-        <source>edges kept straight, which are bent: %1</source>
-        <translation>Kanten, die gerade bleiben sollen, aber gebogen sind: %1</translation>
-    </message>
-    <message>
         <source>The chain cannot be made straight without turning faces over</source>
         <translation>Die Kette lässt sich nicht begradigen, ohne Flächen umzudrehen</translation>
     </message>
@@ -6129,40 +6125,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Für die Abstände ist kein Platz: nehmen Sie einen kleineren Abstand oder eine größere Textur</translation>
     </message>
     <message>
-        <source>Nothing may change: all islands are locked, pinned, stacked or grouped, or outside the scope</source>
-        <translation>Nichts darf sich ändern: alle Inseln sind gesperrt, durch Pins gehalten, gestapelt oder gruppiert, oder gehören nicht dazu</translation>
-    </message>
-    <message>
-        <source>rectangles: %1</source>
-        <translation>Rechtecke: %1</translation>
-    </message>
-    <message>
-        <source>seams that are not given and were needed: %1</source>
-        <translation>nicht vorgegebene Nähte, die nötig waren: %1</translation>
-    </message>
-    <message>
-        <source>joined edges: %1</source>
-        <translation>verbundene Kanten: %1</translation>
-    </message>
-    <message>
-        <source>hard pins: %1</source>
-        <translation>harte Pins: %1</translation>
-    </message>
-    <message>
-        <source>Not obeyed, because something else contradicts it or it would turn triangles over: %1</source>
-        <translation>Nicht befolgt, weil etwas anderes widerspricht oder Dreiecke sich umdrehen würden: %1</translation>
-    </message>
-    <message>
         <source>%1. Now faces overlap that did not before: %2. Pack (P), separate (O) or undo</source>
         <translation>%1. Jetzt überlappen Flächen, die es vorher nicht taten: %2. Packen (P), trennen (O) oder zurücknehmen</translation>
-    </message>
-    <message>
-        <source>. Stopped early: this map is straightened</source>
-        <translation>. Vorzeitig angehalten: diese Map ist begradigt</translation>
-    </message>
-    <message>
-        <source>. Stopped early: this map is not, or not wholly, straightened</source>
-        <translation>. Vorzeitig angehalten: diese Map ist nicht oder nicht ganz begradigt</translation>
     </message>
     <message>
         <source>Unwrapping was cancelled: the map stays as it was</source>
@@ -6179,10 +6143,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>The distortion of %1 is above the bound of %2: allow more, or remove joins</source>
         <translation>Die Verzerrung von %1 liegt über der Grenze von %2: erlauben Sie mehr, oder entfernen Sie Verbindungen</translation>
-    </message>
-    <message>
-        <source>Finishing was cancelled: the map stays as it was</source>
-        <translation>Das Fertigstellen wurde abgebrochen: die Map bleibt, wie sie war</translation>
     </message>
     <message>
         <source>The map still covers itself: joined edges hold it together there. Clear some joins and finish again</source>
@@ -6213,16 +6173,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Gepackte Inseln: %1</translation>
     </message>
     <message>
-        <source>Packing was cancelled: the map stays as it was</source>
-        <translation>Das Packen wurde abgebrochen: die Map bleibt, wie sie war</translation>
-    </message>
-    <message>
         <source>There is no room in the rectangle: draw a larger one or use a smaller margin</source>
         <translation>Im Rechteck ist kein Platz: zeichnen Sie ein größeres oder nehmen Sie einen kleineren Abstand</translation>
-    </message>
-    <message>
-        <source>Separated, edges cut: %1</source>
-        <translation>Getrennt, geschnittene Kanten: %1</translation>
     </message>
     <message>
         <source>Overlaps inside single polygons or across joined edges, which stay whole: %1</source>
@@ -6231,10 +6183,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>There are no overlaps: the map stays as it is</source>
         <translation>Es gibt keine Überlappungen: die Map bleibt, wie sie ist</translation>
-    </message>
-    <message>
-        <source>Separating was cancelled: the map stays as it was</source>
-        <translation>Das Trennen wurde abgebrochen: die Map bleibt, wie sie war</translation>
     </message>
     <message>
         <source>All islands have the same texel density</source>
@@ -6315,10 +6263,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>UVs transferred: %1</source>
         <translation>UVs übertragen: %1</translation>
-    </message>
-    <message>
-        <source>Map for lightmaps, edges cut: %1</source>
-        <translation>Map für Lightmaps, geschnittene Kanten: %1</translation>
     </message>
     <message>
         <source>No object of the detailed model belongs to: %1</source>
@@ -6425,10 +6369,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Keine symmetrischen Schnitte hielten die Grenze ein: Die Schnitte sind frei</translation>
     </message>
     <message>
-        <source>, %1 % of the seams symmetric</source>
-        <translation>, %1 % der Nähte symmetrisch</translation>
-    </message>
-    <message>
         <source>the cage has other faces than the model</source>
         <translation>der Käfig hat andere Flächen als das Modell</translation>
     </message>
@@ -6462,14 +6402,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>The islands do not fit at their size: switch off &quot;Keep each island&apos;s scale&quot; or use a smaller margin</source>
         <translation>Die Inseln passen in ihrer Größe nicht hinein: „Größe jeder Insel behalten“ ausschalten oder einen kleineren Abstand wählen</translation>
-    </message>
-    <message>
-        <source>%1. There is no room for the islands at their scale: all of a tile are smaller now</source>
-        <translation>%1. In ihrer Größe ist für die Inseln kein Platz: alle einer Kachel sind jetzt kleiner</translation>
-    </message>
-    <message>
-        <source>%1. Islands that stay as they were, because there is no room for better ones: %2</source>
-        <translation>%1. Inseln, die bleiben, wie sie waren, weil für bessere kein Platz ist: %2</translation>
     </message>
     <message>
         <source>No island has a tag: Select &gt; Tags of islands gives one</source>
@@ -6624,10 +6556,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>eine Liste aus cuts, uv, sharp, sharp:GRAD (0 bis 180), hard, materials und objects</translation>
     </message>
     <message>
-        <source>Finished: no better map was found, it stays as it was</source>
-        <translation>Fertig: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
-    </message>
-    <message>
         <source>%1 was ended: the map was edited meanwhile</source>
         <translation>%1 wurde beendet: die Map wurde inzwischen bearbeitet</translation>
     </message>
@@ -6644,28 +6572,12 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>waren schon Nähte, jetzt erzwungen: %1</translation>
     </message>
     <message>
-        <source>Unwrapped: no better map was found, it stays as it was</source>
-        <translation>Abgewickelt: Keine bessere Map gefunden, sie bleibt, wie sie war</translation>
-    </message>
-    <message>
         <source>There is no map yet: unwrap first</source>
         <translation>Es gibt noch keine Map: wickeln Sie zuerst ab</translation>
     </message>
     <message>
-        <source>%1. Larger than a tile at this density, and made smaller to fit: %2</source>
-        <translation>%1. Bei dieser Dichte größer als eine Kachel und deshalb verkleinert: %2</translation>
-    </message>
-    <message>
         <source>Unwrapping ended early, with the best map so far: distortion %1</source>
         <translation>Das Abwickeln endete vorzeitig mit der bisher besten Map: Verzerrung %1</translation>
-    </message>
-    <message>
-        <source>%1. Pins or locks hold faces on each other: remove some of them</source>
-        <translation>%1. Pins oder Sperren halten Flächen aufeinander: entfernen Sie einige davon</translation>
-    </message>
-    <message>
-        <source>, islands upright</source>
-        <translation>, Inseln aufrecht</translation>
     </message>
     <message>
         <source>light is baked into exr, png, tif and tga files</source>
@@ -6702,6 +6614,82 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Check its name in the file</source>
         <translation>Prüfen Sie seinen Namen in der Datei</translation>
+    </message>
+    <message>
+        <source>The map stays as it is: locks, pins, stacks, groups or the scope leave nothing to change</source>
+        <translation>Die Map bleibt, wie sie ist: Sperren, Pins, Stapel, Gruppen oder der Umfang lassen nichts zu ändern</translation>
+    </message>
+    <message>
+        <source>There is no room for the islands at their scale: all of a tile are smaller now</source>
+        <translation>In ihrer Größe ist für die Inseln kein Platz: alle einer Kachel sind jetzt kleiner</translation>
+    </message>
+    <message>
+        <source>Larger than a tile at this density, and made smaller to fit: %1</source>
+        <translation>Bei dieser Dichte größer als eine Kachel und deshalb verkleinert: %1</translation>
+    </message>
+    <message>
+        <source>Hard pins that could not be reached: %1</source>
+        <translation>Harte Pins, die nicht erreicht werden konnten: %1</translation>
+    </message>
+    <message>
+        <source>Joined edges that had to stay open: %1</source>
+        <translation>Verbundene Kanten, die offen bleiben mussten: %1</translation>
+    </message>
+    <message>
+        <source>Rectangles that islands reach out of: %1</source>
+        <translation>Rechtecke, aus denen Inseln herausragen: %1</translation>
+    </message>
+    <message>
+        <source>Seams that are not given and were needed: %1</source>
+        <translation>Nicht vorgegebene Nähte, die nötig waren: %1</translation>
+    </message>
+    <message>
+        <source>Edges kept straight, which are bent: %1</source>
+        <translation>Kanten, die gerade bleiben sollen, aber gebogen sind: %1</translation>
+    </message>
+    <message>
+        <source>Pins or locks hold faces on each other: remove some of them</source>
+        <translation>Pins oder Sperren halten Flächen aufeinander: entfernen Sie einige davon</translation>
+    </message>
+    <message>
+        <source>The mesh is too irregular for a map with few seams: this one is made of many flat patches</source>
+        <translation>Das Netz ist zu unregelmäßig für eine Map mit wenigen Nähten: diese besteht aus vielen flachen Stücken</translation>
+    </message>
+    <message>
+        <source>Stopped before a map with few seams was found: this one is made of many flat patches</source>
+        <translation>Angehalten, bevor eine Map mit wenigen Nähten gefunden war: diese besteht aus vielen flachen Stücken</translation>
+    </message>
+    <message>
+        <source>Stopped early: this map is not, or not wholly, straightened</source>
+        <translation>Vorzeitig angehalten: diese Map ist nicht oder nicht ganz begradigt</translation>
+    </message>
+    <message>
+        <source>Stopped before there was a result: the map stays as it was</source>
+        <translation>Angehalten, bevor es ein Ergebnis gab: die Map bleibt, wie sie war</translation>
+    </message>
+    <message>
+        <source>No better map was found: it stays as it was</source>
+        <translation>Keine bessere Map gefunden: sie bleibt, wie sie war</translation>
+    </message>
+    <message>
+        <source>Islands that stay as they were, because there is no room for better ones: %1</source>
+        <translation>Inseln, die bleiben, wie sie waren, weil für bessere kein Platz ist: %1</translation>
+    </message>
+    <message>
+        <source>Stopped early: this map is straightened</source>
+        <translation>Vorzeitig angehalten: diese Map ist begradigt</translation>
+    </message>
+    <message>
+        <source>The islands stand upright</source>
+        <translation>Die Inseln stehen aufrecht</translation>
+    </message>
+    <message>
+        <source>Symmetric part of the seams: %1 %</source>
+        <translation>Symmetrischer Anteil der Nähte: %1 %</translation>
+    </message>
+    <message>
+        <source>Edges cut to take overlaps apart: %1</source>
+        <translation>Geschnittene Kanten, um Überlappungen zu trennen: %1</translation>
     </message>
 </context>
 <context>
