@@ -86,7 +86,7 @@ say_skipped() {
             }
             END {
                 if (cases > 0)
-                    printf "skipped for want of %s: %d cases in %d programs\n",
+                    printf "skipped without %s: %d cases in %d programs\n",
                         want == "program" ? "other programs" : want, cases, programs
             }' "$1"
     done

@@ -467,7 +467,7 @@ private Q_SLOTS:
         const MeshPtr rough = noisy(0.04), smooth = noisy(0);
         QVERIFY(isRough(*rough, edgeAngles(*rough)));
         QVERIFY(!isRough(*smooth, edgeAngles(*smooth)));
-        const MeshPtr few = test::sphere(12, 16); // has larger angles, for want of triangles
+        const MeshPtr few = test::sphere(12, 16); // has larger angles, because its triangles are few
         QVERIFY(!isRough(*few, edgeAngles(*few)));
         // Small cubes beside: of a smooth model they are parts, of a rough one debris.
         for (const MeshPtr &mesh : {rough, smooth}) {

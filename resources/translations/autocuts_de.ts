@@ -6460,8 +6460,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Seinen Namen prüfen</translation>
     </message>
     <message>
-        <source>the textures seem to have been made for this UV map</source>
-        <translation>die Texturen wurden anscheinend für diese UV-Map gemacht</translation>
+        <source>the textures seem to fit this UV map already</source>
+        <translation>die Texturen passen anscheinend schon zu dieser UV-Map</translation>
     </message>
     <message>
         <source>the textures fit this map already</source>

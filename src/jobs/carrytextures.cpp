@@ -235,7 +235,7 @@ Result<MadePictures> carryTextures(const PictureInput &input, const std::optiona
     // Pictures of another size, or chosen ones, have a use on the same map, too.
     if (ofMaterials && choice.size == 0 && sameMap(before->scene, scene)) {
         const Error fits = choice.from == From::Textures
-                               ? Error{JobTexts::tr("the textures seem to have been made for this UV map"),
+                               ? Error{JobTexts::tr("the textures seem to fit this UV map already"),
                                        {},
                                        0,
                                        JobTexts::tr("Choose the file or the UV set that they are for")}

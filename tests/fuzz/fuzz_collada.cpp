@@ -145,7 +145,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         return 0;
     Scene scene = soup.scene();
     soup.source().bytes = bytes;
-    soup.source().uvSets = scene.uvSets;
+    soup.source().setsInFile = scene.uvSets;
     require(rewriteCollada(soup.source(), scene) == bytes, "unchanged UVs are written");
 
     if (scene.uvSets.empty())

@@ -76,7 +76,9 @@ void writeExrSeeds()
             }
             QFile file(path);
             require(file.open(QIODevice::ReadOnly), "a seed cannot be read");
-            fuzz::writeSeed(QStringLiteral("%1%2.exr").arg(tiled ? "tiles" : "lines").arg(c), file.readAll());
+            fuzz::writeSeed(
+                QStringLiteral("%1%2.exr").arg(QLatin1StringView(tiled ? "tiles" : "lines")).arg(c),
+                file.readAll());
         }
     }
 }
