@@ -1,148 +1,73 @@
-// Takes the pictures of docs/guide.md from the real studio, worked with by events.
+// Takes the pictures of docs/guide from the real studio, worked with by events.
 //
 //   guide_pictures FOLDER [STEP]
 //
 // Each picture shows a view before and after: rows 24 to 39 of what the paper's artist does, and the window
 // as a whole. scripts/guide runs it.
+#include "guide/chapterpictures.h"
 #include "model/io/meshes/meshfile.h"
-#include "model/plain/uvlayout.h"
-#include "support/artist.h"
-#include "support/canvases.h"
-#include "views/canvas/meshview.h"
-#include "views/canvas/uvview.h"
 #include "views/control/pictures/livebake.h"
 #include "views/control/pictures/modelpictures.h"
 #include "views/ui/language.h"
 #include "views/ui/theme.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QDir>
 #include <QDockWidget>
-#include <QLineEdit>
 #include <QListWidget>
-#include <QPainter>
 #include <QPushButton>
 #include <QSurfaceFormat>
 
 #include <cstdio>
+#include <functional>
 
 using namespace autocuts;
+using namespace autocuts::guide;
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr int jpegQuality = 86;
-constexpr int gap = 6; // pixels between before and after
-
-class Guide
+class Guide final : public GuideWindow
 {
 public:
-    explicit Guide(const QString &folder) : mFolder(folder) {}
+    using GuideWindow::GuideWindow;
 
     //! \param only the number of a step from 1 on; 0: all of them
     //! \returns the first problem; empty: none
     QString take(int only)
     {
+        const std::function<void(Guide &)> steps[] = {&Guide::unwrapping,
+                                                      &Guide::runningLive,
+                                                      &Guide::steeringBySeams,
+                                                      &Guide::ripping,
+                                                      &Guide::painting,
+                                                      &Guide::dragging,
+                                                      &Guide::boxing,
+                                                      &Guide::overlaps,
+                                                      &Guide::arranging,
+                                                      &Guide::looking,
+                                                      &Guide::texturing,
+                                                      selecting,
+                                                      straightening,
+                                                      layingOut,
+                                                      seeing,
+                                                      handingOn,
+                                                      lighting};
         int number = 0;
-        for (const auto step : {&Guide::unwrapping, &Guide::runningLive, &Guide::steeringBySeams,
-                                &Guide::ripping, &Guide::painting, &Guide::dragging, &Guide::boxing,
-                                &Guide::overlaps, &Guide::arranging, &Guide::looking, &Guide::texturing}) {
+        for (const auto &step : steps) {
             if (++number != only && only != 0)
                 continue;
-            // A window of its own: no step depends on the one before.
-            mArtist = std::make_unique<test::Artist>(QSize(1600, 900), test::Look::Full);
-            (this->*step)();
-            if (!mProblem.isEmpty())
+            // No step depends on the one before.
+            openNew();
+            step(*this);
+            if (!problem().isEmpty())
                 break;
         }
-        return mProblem;
+        return problem();
     }
 
 private:
-    test::StudioSession &studio() { return mArtist->studio; }
-    Document &document() { return mArtist->document(); }
-    Canvas &model() { return mArtist->model(); }
-    Canvas &map() { return mArtist->map(); }
-
-    void settle()
-    {
-        QTest::qWait(400);
-        // The mouse leaves no marks behind.
-        QCoreApplication::processEvents();
-    }
-    void save(const QImage &image, const QString &name)
-    {
-        if (!image.save(mFolder.filePath(name + u".jpg"_s), nullptr, jpegQuality) && mProblem.isEmpty())
-            mProblem = u"cannot write "_s + mFolder.filePath(name + u".jpg"_s);
-    }
-    void window(const QString &name)
-    {
-        settle();
-        save(studio().window.grab().toImage(), name);
-    }
-    QImage both()
-    {
-        settle();
-        return beside(model().picture(), map().picture());
-    }
-    static QImage beside(const QImage &left, const QImage &right)
-    {
-        QImage image(left.width() + gap + right.width(), std::max(left.height(), right.height()),
-                     QImage::Format_RGB32);
-        image.fill(Qt::white);
-        QPainter painter(&image);
-        painter.drawImage(0, 0, left);
-        painter.drawImage(left.width() + gap, 0, right);
-        return image;
-    }
-    //! A view before and after some work.
-    template <class Work>
-    void pair(const QString &name, Canvas &canvas, Work work)
-    {
-        settle();
-        const QImage before = canvas.picture();
-        work();
-        settle();
-        save(beside(before, canvas.picture()), name);
-    }
-    void sample(const char *action)
-    {
-        studio().action(action)->trigger();
-        if (!studio().document() && mProblem.isEmpty())
-            mProblem = u"no sample"_s;
-    }
-    void solve(int steps)
-    {
-        if (!studio().context.solver.isRunning())
-            studio().press(Qt::Key_Space);
-        if (!studio().runsTo(studio().context.solver.status().iteration + steps) && mProblem.isEmpty())
-            mProblem = u"the solver does not run"_s;
-    }
-    void pause()
-    {
-        if (studio().context.solver.isRunning())
-            studio().press(Qt::Key_Space);
-        studio().solverRests();
-    }
-    //! Waits until the views have moved to the newest map.
-    void standStill()
-    {
-        settle();
-        (void)QTest::qWaitFor(
-            [&] {
-                const auto map = studio().context.solver.map();
-                return map && studio().context.shownMap.uv() == soupUv(document().mesh(), map->uv);
-            },
-            test::patience);
-    }
-    //! Lets the solver come to rest by itself, as it does within a distortion budget.
-    void solveToRest()
-    {
-        solve(1);
-        studio().solverRests();
-    }
-    void frame() { studio().action("view.frameAll")->trigger(); }
-
     //! Row 24.
     void unwrapping()
     {
@@ -151,7 +76,7 @@ private:
         solve(3);
         window(u"solving"_s);
         pause();
-        mArtist->runJob("uv.unwrap");
+        artist().runJob("uv.unwrap");
         frame();
         studio().action("view.pattern.checker")->trigger();
         window(u"unwrapped"_s);
@@ -175,16 +100,16 @@ private:
         QTest::qWait(4000);
         save(both(), u"ghost"_s);
         studio().action("uv.ghost")->trigger();
-        mArtist->use("tool.cut");
+        artist().use("tool.cut");
         standStill();
         pair(u"livecut"_s, map(), [&] {
-            mArtist->doubleClick("", model(), mArtist->edgesOn(model(), 40)[22]);
+            artist().doubleClick("", model(), artist().edgesOn(model(), 40)[22]);
             QTest::qWait(1500);
             standStill();
         });
         pause();
-        mArtist->use("select.faces");
-        mArtist->click("", model(), mArtist->placesOn(model(), 9)[4]);
+        artist().use("select.faces");
+        artist().click("", model(), artist().placesOn(model(), 9)[4]);
         for (int i = 0; i < 4; ++i)
             studio().action("select.grow")->trigger();
         pair(u"scope"_s, map(), [&] {
@@ -199,17 +124,17 @@ private:
     void steeringBySeams()
     {
         sample("file.sample.character");
-        mArtist->runJob("uv.unwrap");
+        artist().runJob("uv.unwrap");
         frame();
-        const QList<QPoint> edges = mArtist->edgesOn(model(), 40);
-        mArtist->use("tool.cut");
+        const QList<QPoint> edges = artist().edgesOn(model(), 40);
+        artist().use("tool.cut");
         pair(u"cut"_s, model(), [&] {
-            mArtist->doubleClick("", model(), edges[22]);
+            artist().doubleClick("", model(), edges[22]);
             solveToRest();
         });
-        mArtist->use("tool.join");
+        artist().use("tool.join");
         pair(u"join"_s, model(), [&] {
-            mArtist->doubleClick("", model(), edges[30]);
+            artist().doubleClick("", model(), edges[30]);
             solveToRest();
         });
     }
@@ -217,13 +142,13 @@ private:
     void ripping()
     {
         sample("file.sample.character");
-        mArtist->runJob("uv.unwrap");
+        artist().runJob("uv.unwrap");
         studio().action("view.coloring.islands")->trigger();
         frame();
-        mArtist->use("select.edges");
-        mArtist->click("", model(), mArtist->edgesOn(model(), 40)[22]);
+        artist().use("select.edges");
+        artist().click("", model(), artist().edgesOn(model(), 40)[22]);
         studio().action("select.loop")->trigger();
-        pair(u"rip"_s, map(), [&] { mArtist->runJob("uv.rip"); });
+        pair(u"rip"_s, map(), [&] { artist().runJob("uv.rip"); });
     }
 
     //! Rows 28 and 29.
@@ -231,13 +156,13 @@ private:
     {
         sample("file.sample.character");
         studio().action("view.coloring.paint")->trigger();
-        mArtist->use("tool.paint");
-        const QList<QPoint> places = mArtist->placesOn(model(), 24);
+        artist().use("tool.paint");
+        const QList<QPoint> places = artist().placesOn(model(), 24);
         pair(u"paint"_s, model(), [&] {
             QTest::keyClick(&model(), Qt::Key_1);
-            mArtist->drag("", model(), {places[4], places[6], places[8], places[7]});
+            artist().drag("", model(), {places[4], places[6], places[8], places[7]});
             QTest::keyClick(&model(), Qt::Key_2);
-            mArtist->drag("", model(), {places[16], places[19]});
+            artist().drag("", model(), {places[16], places[19]});
         });
     }
 
@@ -245,21 +170,21 @@ private:
     void dragging()
     {
         sample("file.sample.bumpycube");
-        mArtist->runJob("uv.unwrap");
+        artist().runJob("uv.unwrap");
         frame();
-        mArtist->use("select.vertices");
-        mArtist->use("tool.drag");
+        artist().use("select.vertices");
+        artist().use("tool.drag");
         pair(u"drag"_s, map(), [&] {
-            const QPoint rim = mArtist->placesOn(map(), 400).first();
-            mArtist->drag("", map(), {rim, rim + QPoint(-60, -120)});
+            const QPoint rim = artist().placesOn(map(), 400).first();
+            artist().drag("", map(), {rim, rim + QPoint(-60, -120)});
         });
-        const QList<QPoint> places = mArtist->placesOn(map(), 12);
-        mArtist->use("tool.pin");
+        const QList<QPoint> places = artist().placesOn(map(), 12);
+        artist().use("tool.pin");
         pair(u"pins"_s, map(), [&] {
             for (const int i : {0, 4, 8, 11}) {
                 const int corner = 3 * map().pick(places[i]).triangle;
                 if (const auto place = corner >= 0 ? map().screenOf(corner) : std::nullopt)
-                    mArtist->click("", map(), place->toPoint());
+                    artist().click("", map(), place->toPoint());
             }
         });
     }
@@ -268,14 +193,14 @@ private:
     void boxing()
     {
         sample("file.sample.bumpycube");
-        mArtist->runJob("uv.unwrap");
+        artist().runJob("uv.unwrap");
         studio().action("view.coloring.islands")->trigger();
         frame();
-        mArtist->use("tool.rectangle");
-        const QPoint lower = mArtist->pixelOf({0.05, 0.1}), upper = mArtist->pixelOf({0.95, 0.9});
+        artist().use("tool.rectangle");
+        const QPoint lower = artist().pixelOf({0.05, 0.1}), upper = artist().pixelOf({0.95, 0.9});
         pair(u"rectangle"_s, map(), [&] {
-            mArtist->drag("", map(), {lower, upper});
-            mArtist->drag("", map(), {mArtist->placesOn(map(), 9)[4], (lower + upper) / 2});
+            artist().drag("", map(), {lower, upper});
+            artist().drag("", map(), {artist().placesOn(map(), 9)[4], (lower + upper) / 2});
             solveToRest();
         });
     }
@@ -284,23 +209,23 @@ private:
     void overlaps()
     {
         sample("file.sample.machine");
-        mArtist->runJob("uv.unwrap");
-        mArtist->use("select.islands");
+        artist().runJob("uv.unwrap");
+        artist().use("select.islands");
         studio().action("select.all")->trigger();
         studio().action("uv.alignLeft")->trigger();
         studio().action("select.none")->trigger();
         frame();
         studio().measured();
-        mArtist->use("tool.region");
+        artist().use("tool.region");
         pair(u"region"_s, map(), [&] {
-            const QPoint place = mArtist->placesOn(map(), 9)[4];
-            mArtist->click("", map(), place);
+            const QPoint place = artist().placesOn(map(), 9)[4];
+            artist().click("", map(), place);
             (void)QTest::qWaitFor([&] { return !document().selection().faces.isEmpty(); }, test::patience);
-            mArtist->drag("", map(), {place, mArtist->emptyPlace(60)});
+            artist().drag("", map(), {place, artist().emptyPlace(60)});
             studio().measured();
         });
         pair(u"separate"_s, map(), [&] {
-            mArtist->runJob("uv.separate");
+            artist().runJob("uv.separate");
             frame();
         });
     }
@@ -309,15 +234,15 @@ private:
     void arranging()
     {
         sample("file.sample.machine");
-        mArtist->runJob("uv.unwrap");
+        artist().runJob("uv.unwrap");
         studio().action("view.coloring.islands")->trigger();
         frame();
-        mArtist->use("select.islands");
+        artist().use("select.islands");
         studio().action("select.all")->trigger();
         studio().action("uv.alignLeft")->trigger();
         frame();
         pair(u"pack"_s, map(), [&] {
-            mArtist->runJob("uv.pack");
+            artist().runJob("uv.pack");
             frame();
         });
     }
@@ -336,7 +261,7 @@ private:
         frame();
         save(both(), u"tension"_s);
         pause();
-        mArtist->runJob("uv.unwrap");
+        artist().runJob("uv.unwrap");
         frame();
         studio().action("view.coloring.signedStretch")->trigger();
         save(both(), u"stretch"_s);
@@ -346,26 +271,10 @@ private:
     template <class Work>
     void bake(const char *button, Work work)
     {
-        studio().answers->onDialog = [&](QDialog &dialog) {
-            dialog.open();
-            (void)QTest::qWaitForWindowExposed(&dialog);
-            QApplication::setActiveWindow(&dialog);
+        ask("uv.bake", [&](QDialog &dialog) {
             work(dialog);
             QTest::mouseClick(dialog.findChild<QPushButton *>(QLatin1StringView(button)), Qt::LeftButton);
-            return dialog.result();
-        };
-        studio().action("uv.bake")->trigger();
-        studio().answers->onDialog = nullptr;
-        QApplication::setActiveWindow(&studio().window);
-    }
-    static void type(QDialog &dialog, const char *name, const QString &text)
-    {
-        auto *edit = dialog.findChild<QLineEdit *>(QLatin1StringView(name));
-        QTest::mouseClick(edit, Qt::LeftButton);
-        edit->selectAll();
-        if (text.isEmpty())
-            QTest::keyClick(edit, Qt::Key_Delete);
-        QTest::keyClicks(edit, text);
+        });
     }
     //! Ticks these maps, and clears the others.
     static void chooseMaps(QDialog &dialog, const QList<int> &rows)
@@ -379,12 +288,11 @@ private:
     //! A dialog of a bake, one of its maps live while the map changes, and a texture set made of others.
     void texturing()
     {
-        QDir::setCurrent(studio().folder.path());
-        mFolder.makeAbsolute();
+        workInFolder();
         QDir().mkdir(u"maps"_s);
         sample("file.sample.machine");
         (void)writeMesh(document().state().scene, u"machine_high.obj"_s);
-        mArtist->runJob("uv.unwrap");
+        artist().runJob("uv.unwrap");
         frame();
         bake("bake", [&](QDialog &dialog) {
             chooseMaps(dialog, {0, 2});
@@ -403,13 +311,18 @@ private:
         save(both(), u"livebake"_s);
         paintTextures();
         studio().answers->filesToOpen = {QDir(u"maps"_s).absolutePath()};
-        studio().window.findChild<QDockWidget *>(u"textures"_s)->raise();
+        dock("textures")->raise();
         settle();
         QTest::mouseClick(studio().window.findChild<QPushButton *>(u"loadTextureFolder"_s), Qt::LeftButton);
         const auto &pictures = studio().context.pictures;
         (void)QTest::qWaitFor([&] { return !pictures.isLoading() && !pictures.light().isLoading(); },
                               test::patience);
         window(u"textures"_s);
+        ask("uv.carryTextures", [&](QDialog &dialog) {
+            type(dialog, "folder", u"maps"_s);
+            settle();
+            save(dialog.grab().toImage(), u"carry"_s);
+        });
     }
     //! Makes paint of the baked pictures that has come off where edges stick out.
     void paintTextures()
@@ -422,7 +335,7 @@ private:
             QFile::remove(maps.filePath(name));
         }
         if (curvature.isNull() || curvature.size() != shadow.size()) {
-            mProblem = u"nothing was baked"_s;
+            fail(u"nothing was baked"_s);
             return;
         }
         QImage color(curvature.size(), QImage::Format_RGB32), rough = color, metal = color;
@@ -442,10 +355,6 @@ private:
         metal.save(maps.filePath(u"machine_Metallic.png"_s));
         shadow.save(maps.filePath(u"machine_AO.png"_s));
     }
-
-    QDir mFolder;
-    std::unique_ptr<test::Artist> mArtist;
-    QString mProblem;
 };
 
 } // namespace
