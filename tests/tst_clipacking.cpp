@@ -145,7 +145,7 @@ private Q_SLOTS:
         QVERIFY(pack({u"--density=2000"_s}));
         QCOMPARE(tilesInUse(), (QList<int>{1001, 1002, 1003, 1004}));
         QVERIFY2(
-            mRun.err.contains(u"islands larger than a tile at this density, and made smaller to fit: 4"_s),
+            mRun.err.contains(u"Islands larger than a tile at this density, and made smaller to fit: 4"_s),
             qPrintable(mRun.err));
         QVERIFY(density(0) > 500 && density(0) < 2000);
         QVERIFY(!pack({u"--density=500"_s, u"--tile=9999"_s, u"--margin=200"_s}));
@@ -162,7 +162,7 @@ private Q_SLOTS:
         QVERIFY(mPacked->uv().topRows(others) == mDocument->uv().topRows(others));
         QCOMPARE(tilesInUse(), QList<int>{1001});
         QVERIFY(std::abs(density(3) - 400) < 1e-6);
-        QVERIFY2(mRun.out.contains(u"islands packed: 1, into the tiles 1001"_s), qPrintable(mRun.out));
+        QVERIFY2(mRun.out.contains(u"Islands packed: 1, into the tiles 1001"_s), qPrintable(mRun.out));
         QVERIFY2(mRun.out.contains(u"no problems found"_s), qPrintable(mRun.out));
         // Where there is no room the next tile is taken.
         QVERIFY2(pack({u"--only=islands:4"_s, u"--fill-tiles"_s, u"--density=800"_s}), qPrintable(mRun.err));

@@ -234,7 +234,7 @@ private Q_SLOTS:
         const test::CliRun made = test::runInProcess(
             {u"separate"_s, file("folded.obj"), u"-o"_s, file("apart.obj"), u"--only=objects:right"_s});
         QVERIFY2(made.code == 0, qPrintable(made.err));
-        QVERIFY2(made.out.contains(u"edges cut to take overlaps apart: 1\n"_s), qPrintable(made.out));
+        QVERIFY2(made.out.contains(u"Edges cut to take overlaps apart: 1\n"_s), qPrintable(made.out));
         const Scene after = readMesh(file("apart.obj")).value();
         for (int c = 0; c < 24; ++c)
             QCOMPARE(sameUv(after, folded, c), c < 8 || c >= 16);

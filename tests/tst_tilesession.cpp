@@ -111,7 +111,7 @@ private Q_SLOTS:
         // Larger than a tile: all is packed, and a notice says it.
         QVERIFY(desk.packAt(u"3000"_s));
         QCOMPARE(desk.tiles().size(), 4);
-        QVERIFY2(desk.window.findChild<NoticeBar *>()->message().contains(u"Larger than a tile"_s),
+        QVERIFY2(desk.window.findChild<NoticeBar *>()->message().contains(u"larger than a tile"_s),
                  qPrintable(desk.window.findChild<NoticeBar *>()->message()));
     }
 

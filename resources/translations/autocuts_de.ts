@@ -6165,8 +6165,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Wählen Sie erst die Inseln aus, die gepackt werden sollen</translation>
     </message>
     <message>
-        <source>There are more of them than UDIM tiles</source>
-        <translation>Davon gibt es mehr als UDIM-Kacheln</translation>
+        <source>There are more objects or materials than UDIM tiles</source>
+        <translation>Es gibt mehr Objekte oder Materialien als UDIM-Kacheln</translation>
     </message>
     <message>
         <source>Islands packed: %1</source>
@@ -6624,8 +6624,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>In ihrer Größe ist für die Inseln kein Platz: alle einer Kachel sind jetzt kleiner</translation>
     </message>
     <message>
-        <source>Larger than a tile at this density, and made smaller to fit: %1</source>
-        <translation>Bei dieser Dichte größer als eine Kachel und deshalb verkleinert: %1</translation>
+        <source>Islands larger than a tile at this density, and made smaller to fit: %1</source>
+        <translation>Inseln, die bei dieser Dichte größer als eine Kachel sind und deshalb verkleinert wurden: %1</translation>
     </message>
     <message>
         <source>Hard pins that could not be reached: %1</source>

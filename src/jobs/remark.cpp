@@ -32,11 +32,11 @@ QString textOfProblem(const Remark &remark)
         return JobTexts::tr("The islands need more UDIM tiles than there are: choose a lower density or a "
                             "larger texture");
     case Remark::Kind::TooManyGroups:
-        return JobTexts::tr("There are more of them than UDIM tiles");
+        return JobTexts::tr("There are more objects or materials than UDIM tiles");
     case Remark::Kind::MadeSmaller:
         return JobTexts::tr("There is no room for the islands at their scale: all of a tile are smaller now");
     case Remark::Kind::LargerThanTile:
-        return JobTexts::tr("Larger than a tile at this density, and made smaller to fit: %1")
+        return JobTexts::tr("Islands larger than a tile at this density, and made smaller to fit: %1")
             .arg(remark.number);
     case Remark::Kind::UnmetPins:
         return JobTexts::tr("Hard pins that could not be reached: %1").arg(count);
