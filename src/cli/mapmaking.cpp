@@ -39,7 +39,7 @@ QString recognised(double hardShare)
 QString lineOf(const jobs::Remark &remark, const CliOptions &options)
 {
     using Kind = jobs::Remark::Kind;
-    const QString text = jobs::textOf(remark);
+    QString text = jobs::textOf(remark);
     if (remark.kind == Kind::Upright)
         return text + QStringLiteral(" (--world-up - lets them turn)");
     if (remark.kind == Kind::SymmetricSeams && options.settings.symmetry == SymmetryMode::Auto)

@@ -161,6 +161,8 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         result.flags = made.flags;
         if (input.snapshot.settings.surface == SurfaceKind::Auto)
             result.hardShare = made.hardShare;
+    }
+    if (!made.nothingFree && !made.nothingGained) {
         const double distortion =
             metrics::measureShapes(input.mesh(), made.uv, input.snapshot.tileHeight).tileDirichlet;
         done = (made.stopped ? JobTexts::tr("Unwrapping ended early, with the best map so far: distortion %1")
@@ -192,10 +194,10 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
     const unwrap::FinishResult made = unwrap::finishMap(finish, contextOf(control, finish.maxDistortion));
     result.edit = input.snapshot.scope ? UvEdit::FinishSelection : UvEdit::Finish;
     QString done;
-    if (!made.nothingFree && made.uv.rows() > 0) {
+    if (!made.nothingFree)
         result.uv = made.uv;
+    if (result.uv.rows() > 0 && !made.nothingGained)
         done = JobTexts::tr("Finished: distortion %1").arg(fixedText(made.distortion, 4));
-    }
     tell(input.snapshot, jobs::remarksOn(finish, made, control.stop()), done, result);
     return result;
 }
