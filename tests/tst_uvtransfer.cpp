@@ -199,7 +199,7 @@ void TestUvTransfer::otherPolygonsAreAnError()
     job.match = UvMatch::Topology;
     const Result<jobs::TransferredUvs> made = jobs::runTransfer(job, {});
     QVERIFY(!made);
-    QVERIFY(made.error().message.contains(QStringLiteral("54 faces in the source, 96 in the model")));
+    QVERIFY(made.error().message.contains(QStringLiteral("faces of the source: 54, of the model: 96")));
     QVERIFY(!made.error().remedy.isEmpty());
 }
 
