@@ -38,8 +38,10 @@ Snapshot snapshotOf(const test::MeshPtr &mesh)
 UvMatrix apart(const MeshData &mesh)
 {
     UvMatrix uv(mesh.cornerCount(), 2);
-    for (int c = 0; c < mesh.cornerCount(); ++c)
-        uv.row(c) << 0.1 * (c / 3) + 0.05 * (c % 3 == 1), 0.05 * (c % 3 == 2);
+    for (int c = 0; c < mesh.cornerCount(); ++c) {
+        const int triangle = c / 3, corner = c % 3;
+        uv.row(c) << 0.1 * triangle + 0.05 * (corner == 1), 0.05 * (corner == 2);
+    }
     return uv;
 }
 

@@ -133,7 +133,7 @@ void addTexels(Remarks &warnings, Remark::Kind kind, long long some, long long a
 
 QString textOf(const Remark &remark)
 {
-    const QString names = remark.names.join(QStringLiteral(", "));
+    QString names = remark.names.join(QStringLiteral(", "));
     switch (remark.kind) {
     case Remark::Kind::Said:
         return names;

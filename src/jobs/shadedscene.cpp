@@ -59,6 +59,7 @@ QStringList pairObjects(ShadedSurface &low, const std::vector<QString> &lowNames
     };
     const auto groupsOf = [&](const std::vector<QString> &names) {
         std::vector<int> result;
+        result.reserve(names.size());
         for (const QString &name : names)
             result.push_back(groupOf(name));
         return result;
