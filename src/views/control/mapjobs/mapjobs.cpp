@@ -220,7 +220,6 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
     const MeshData &mesh = input.mesh();
     const ChartMap charts = dividedByObjects(findCharts(mesh, input.uv), target.groups);
     unwrap::PackJob pack = unwrap::steeredPackJob(input.snapshot, packing::tileOptions(input.packing));
-    pack.options.keepStraight = true;
     pack.movable.assign(mesh.faceCount(), target.all);
     for (int face : target.faces.isEmpty() ? input.selectedFaces : target.faces)
         pack.movable[face] = true;
