@@ -313,11 +313,11 @@ void MapController::packEach(SceneKind kind)
         return;
     }
     const QList<int> faces = document->selection().faces;
-    startPacking({faces.isEmpty(),
-                  faces,
-                  {},
-                  kind == SceneKind::Tags ? tagGroups(document->marks(), document->mesh().faceCount())
-                                          : sceneGroups(document->state().scene, kind)});
+    PackTarget target{faces.isEmpty(), faces, {}};
+    target.choice.groups = kind == SceneKind::Tags
+                               ? tagGroups(document->marks(), document->mesh().faceCount())
+                               : sceneGroups(document->state().scene, kind);
+    startPacking(target);
 }
 
 void MapController::packAtDensity(double density)
@@ -327,14 +327,14 @@ void MapController::packAtDensity(double density)
         return;
     const QList<int> faces = document->selection().faces;
     PackTarget target{faces.isEmpty(), faces, {}};
-    target.density = density;
+    target.choice.density = density;
     startPacking(target);
 }
 
 void MapController::fillTiles()
 {
     PackTarget target{false, {}, {}};
-    target.fillTiles = true;
+    target.choice.fillTiles = true;
     startPacking(target);
 }
 

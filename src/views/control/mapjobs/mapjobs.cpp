@@ -218,7 +218,7 @@ MapJobResult priceJob(const MapInput &input, JobControl &control)
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control)
 {
     const MeshData &mesh = input.mesh();
-    const ChartMap charts = dividedByObjects(findCharts(mesh, input.uv), target.groups);
+    const ChartMap charts = dividedByObjects(findCharts(mesh, input.uv), target.choice.groups);
     unwrap::PackJob pack = unwrap::steeredPackJob(input.snapshot, packing::tileOptions(input.packing));
     pack.movable.assign(mesh.faceCount(), target.all);
     for (int face : target.faces.isEmpty() ? input.selectedFaces : target.faces)
@@ -238,10 +238,10 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
     }
     if (target.box)
         pack.packInto(*target.box);
+    jobs::PackChoice choice = target.choice;
+    choice.firstTile = input.packing.udimTile;
     jobs::PackedMap packed =
-        jobs::packMap(mesh, charts, std::move(pack),
-                      {target.groups, target.density, target.fillTiles, input.packing.udimTile}, input.uv,
-                      contextOf(control));
+        jobs::packMap(mesh, charts, std::move(pack), choice, input.uv, contextOf(control));
     result.uv = std::move(packed.uv);
     tell(input.snapshot, packed.remarks, {}, result);
     if (target.box && result.uv.rows() == 0 && !control.stop())

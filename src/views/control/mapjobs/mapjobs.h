@@ -2,10 +2,9 @@
 #pragma once
 
 #include "commands/editmapseams.h"
-#include "jobs/remark.h"
+#include "jobs/packmap.h"
 #include "model/document/constraints.h"
 #include "model/document/islands.h"
-#include "model/document/scenegroups.h"
 #include "model/document/selection.h"
 #include "model/document/texturesets.h"
 #include "model/plain/packingsettings.h"
@@ -97,9 +96,7 @@ struct PackTarget
     bool all = true;                        //!< false: only those of `faces`; the others are obstacles
     QList<int> faces;                       //!< empty: the selected faces
     std::optional<Eigen::AlignedBox2d> box; //!< texture space; without it, the tile of the settings
-    std::vector<SceneGroup> groups{};       //!< each is packed into a tile of its own; empty: all into one
-    double density = 0;                     //!< texels per unit, in as many tiles as that needs; 0: see above
-    bool fillTiles = false;                 //!< into the free room of the tiles in use
+    jobs::PackChoice choice{};              //!< but for the first tile, which the settings have
 };
 
 //! The context of a job: its progress never falls. \param bound on the distortion, for the text about the
